@@ -1,0 +1,82 @@
+// The program: one command, its options, its exit code.
+#include <CLI/CLI.hpp>
+
+#include <cstdio>
+#include <new>
+#include <string>
+#include <vector>
+
+#include "app/commands.h"
+#include "core/error.h"
+
+namespace gridscope {
+
+namespace {
+
+// Without arguments: the main job on the built-in scene.
+const std::vector<std::string> kMainJob = {"render", "--view", "all"};
+
+// One line: what is wrong, with the option's name, and where to look.
+std::string explain(const CLI::App& app, const CLI::ParseError& error) {
+  std::string what = error.what();
+  if (const auto* extras = dynamic_cast<const CLI::ExtrasError*>(&error)) {
+    what = extras->what();
+    what = what.substr(what.find(": ") + 2) + ": not known here";
+  }
+  const std::vector<CLI::App*> given = app.get_subcommands();
+  return what + "; see gridscope " + (given.empty() ? "" : given.front()->get_name() + " ") + "--help";
+}
+
+// Reads the command line; returns the command to run, or nullptr with the exit code when help or the version was all.
+const Command* readCommandLine(CLI::App& app, Options& options, std::vector<std::string> arguments, int& exitCode) {
+  app.set_version_flag("--version", "gridscope " GRIDSCOPE_VERSION);
+  app.require_subcommand(1);
+  app.get_formatter()->column_width(36);
+  for (const Command& command : kCommands) command.addOptions(*app.add_subcommand(command.name, command.about), options);
+  app.footer("Exit codes: 0 done or equal, 1 different or a check failed, 2 bad input or arguments,\n3 the device can't do it or was lost.");
+
+  if (arguments.empty()) arguments = kMainJob;
+  std::reverse(arguments.begin(), arguments.end());  // as CLI11 wants them
+  try {
+    app.parse(arguments);
+  } catch (const CLI::Success& help) {
+    exitCode = app.exit(help);
+    return nullptr;
+  } catch (const CLI::ParseError& error) {
+    throw Error(explain(app, error));
+  }
+  checkOptions(options);
+  for (const Command& command : kCommands)
+    if (app.got_subcommand(command.name)) return &command;
+  throw Error("no command; see gridscope --help");
+}
+
+int run(const std::vector<std::string>& arguments) {
+  CLI::App app("Shows what a fixed-capacity triangle grid does to every ray.\nWithout arguments: every view of the built-in hall, in out/.", "gridscope");
+  Options options;
+  int exitCode = kExitDone;
+  const Command* command = readCommandLine(app, options, arguments, exitCode);
+  return command ? command->run(options) : exitCode;
+}
+
+int fail(const char* message, int exitCode) {
+  std::fprintf(stderr, "gridscope: %s\n", message);
+  return exitCode;
+}
+
+}  // namespace
+
+}  // namespace gridscope
+
+int main(int argc, char** argv) {
+  using namespace gridscope;
+  try {
+    return run({argv + 1, argv + argc});
+  } catch (const Error& error) {
+    return fail(error.what(), error.exitCode());
+  } catch (const std::bad_alloc&) {
+    return fail("out of memory; take a smaller scene, grid or frame", kExitBadInput);
+  } catch (const std::exception& error) {
+    return fail(error.what(), kExitBadInput);
+  }
+}

@@ -1,0 +1,264 @@
+// See options.h. Defaults are those of the structures; nothing is typed twice.
+#include "app/options.h"
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <functional>
+
+#include "app/option_values.h"
+#include "app/text.h"
+#include "core/error.h"
+
+namespace gridscope {
+
+namespace {
+
+constexpr uint32_t kMostPixelsPerSide = 16384;
+constexpr uint32_t kMostTexelsPerSide = 8192;   // of a diffuse map
+constexpr uint32_t kMostTeapots = 1024;
+constexpr uint32_t kMostFrames = 1000000;
+constexpr double kMostSeconds = 1e6;
+
+template <class Value>
+struct Choice {
+  const char* name;
+  Value value;
+};
+
+std::string shownDefault(double value) { return printed("%g", value); }
+
+// Offers options of one group of the help. Every value comes in as text, so that each message is one line of ours.
+class OptionGroup {
+ public:
+  OptionGroup(CLI::App& command, std::string group) : command_(command), group_(std::move(group)) {}
+
+  // An option whose text `take` understands. `shown`: the default, for the help.
+  void text(const std::string& name, const char* type, const std::string& shown, const std::string& about,
+            std::function<void(const std::string&)> take) {
+    auto takeGiven = [name, type = std::string(type), take](const std::string& given) {
+      if (given.empty()) throw Error(name + ": nothing given; give " + type);
+      take(given);
+    };
+    CLI::Option* option = command_.add_option_function<std::string>(name, takeGiven, about);
+    option->type_name(type)->group(group_)->default_str(shown);
+  }
+
+  template <class Target>
+  void whole(const std::string& name, Target& target, WholeRange range, const std::string& shown, const std::string& about) {
+    text(name, "N", shown, about, [&target, name, range](const std::string& given) { target = parseWhole(name, given, range); });
+  }
+
+  template <class Target>
+  void number(const std::string& name, const char* type, Target& target, NumberRange range, const std::string& shown, const std::string& about) {
+    text(name, type, shown, about, [&target, name, range](const std::string& given) {
+      target = static_cast<decltype(valueOf(target))>(parseNumber(name, given, range));
+    });
+  }
+
+  template <class Value>
+  void choice(const std::string& name, Value& target, std::vector<Choice<Value>> choices, const std::string& about) {
+    std::string names, shown;
+    for (const auto& [choiceName, value] : choices) {
+      names += (names.empty() ? "" : "|") + std::string(choiceName);
+      if (value == target) shown = choiceName;
+    }
+    text(name, names.c_str(), shown, about, [&target, name, names, choices](const std::string& given) {
+      const auto found = std::ranges::find_if(choices, [&](const auto& one) { return given == one.name; });
+      if (found == choices.end()) throw Error(name + " " + given + ": give " + names);
+      target = found->value;
+    });
+  }
+
+  void flag(const std::string& name, bool& target, bool value, const std::string& about) {
+    command_.add_flag_function(name, [&target, value](int64_t) { target = value; }, about)->group(group_);
+  }
+
+ private:
+  static float valueOf(float);
+  static float valueOf(const std::optional<float>&);
+  static double valueOf(double);
+
+  CLI::App& command_;
+  std::string group_;
+};
+
+FrameSize parseSize(const std::string& text) {
+  const std::vector<std::string> sides = splitText(text, 'x');
+  if (sides.size() != 2) throw Error("--size " + text + ": give WIDTHxHEIGHT in pixels, 640x360 say");
+  const WholeRange range{1, kMostPixelsPerSide};
+  return {parseWhole("--size (width)", sides[0], range), parseWhole("--size (height)", sides[1], range)};
+}
+
+Bounds parseBounds(const std::string& text) {
+  const std::vector<double> n = parseNumbers("--bounds", text, {6}, "minx,miny,minz,maxx,maxy,maxz in world units");
+  Bounds bounds{.low = vec3(n[0], n[1], n[2]), .high = vec3(n[3], n[4], n[5])};
+  for (int axis = 0; axis < 3; ++axis)
+    if (bounds.low[axis] > bounds.high[axis])
+      throw Error("--bounds " + text + ": the low end lies above the high end; give minx,miny,minz,maxx,maxy,maxz");
+  return bounds;
+}
+
+SliceSettings parseSlice(const std::string& text) {
+  const size_t axis = text.empty() ? std::string::npos : std::string_view("xyz").find(text.front());
+  if (axis == std::string::npos || text.size() < 3 || text[1] != ':') throw Error("--slice " + text + ": give an axis and a layer of cells, y:12 say");
+  return {.axis = static_cast<int>(axis), .index = static_cast<int>(parseWhole("--slice (layer)", text.substr(2), {0, 1u << 20}))};
+}
+
+ValueRange parseRange(const std::string& text) {
+  const std::vector<std::string> ends = splitText(text, ':');
+  if (ends.size() != 2) throw Error("--range " + text + ": give MIN:MAX in the view's unit, 0:100 say");
+  const NumberRange all{-1e30, 1e30};
+  const ValueRange range{static_cast<float>(parseNumber("--range (low end)", ends[0], all)),
+                         static_cast<float>(parseNumber("--range (high end)", ends[1], all))};
+  if (!(range[0] < range[1])) throw Error("--range " + text + ": the low end must lie below the high end");
+  return range;
+}
+
+std::vector<const View*> parseViews(const std::string& text) {
+  std::vector<const View*> views;
+  std::vector<std::string> names;
+  for (const View& view : allViews()) names.emplace_back(view.name);
+  for (const std::string& name : splitText(text, ',')) {
+    if (name != "all" && !findView(name)) throw Error("--view " + text + ": there is no view '" + name + "'; give all, or some of " + joined(names, ","));
+    for (const View& view : allViews())
+      if ((name == "all" || name == view.name) && std::ranges::find(views, &view) == views.end()) views.push_back(&view);
+  }
+  return views;
+}
+
+void addSceneOptions(CLI::App& command, Options& options) {
+  OptionGroup scene(command, "Scene");
+  command.add_option("SCENE", options.scene, "A .gltf or .glb file, or a built-in scene ('gridscope scenes' lists them)")
+      ->type_name("")->group("Scene")->default_str(options.scene);
+  scene.whole("--teapots", options.teapots, {0, kMostTeapots}, "0", "Animated teapots to add");
+  scene.whole("--moving", options.moving, {0, kMostTeapots}, "all", "How many of the added teapots move");
+  scene.text("--camera", "NAME|EX,EY,EZ,TX,TY,TZ[,FOV]", "the scene's first",
+             "A camera's name, or eye and target (world units) and vertical field of view (degrees)",
+             [&](const std::string& given) { options.camera = given; });
+  scene.number("--time", "SECONDS", options.time, {-kMostSeconds, kMostSeconds}, shownDefault(options.time), "Of the (first) frame, in the animations");
+  scene.number("--frame-step", "SECONDS", options.frameStep, {-kMostSeconds, kMostSeconds}, "1/60", "From one frame to the next");
+  scene.text("--size", "WxH", printed("%ux%u", options.settings.width, options.settings.height),
+             "Pixels of the frame, one ray each (a built-in scene may bring its own)",
+             [&](const std::string& given) { options.size = parseSize(given); });
+  scene.whole("--texture-size", options.settings.textureSize, {1, kMostTexelsPerSide}, std::to_string(options.settings.textureSize),
+              "Texels of a diffuse map's side on the device");
+}
+
+void addGridOptions(CLI::App& command, Options& options) {
+  OptionGroup group(command, "Grid");
+  GridSettings& grid = options.settings.grid;
+  group.whole("--cells", options.cells, {1, 1u << 20}, std::to_string(grid.cells), "Along the longest side (a built-in scene may bring its own)");
+  group.number("--cell-edge", "LENGTH", options.cellEdge, {1e-9, 1e9}, "", "World units; instead of --cells");
+  group.whole("--capacity", options.capacity, {1, 1u << 20}, std::to_string(grid.capacity), "Slots of a cell (a built-in scene may bring its own)");
+  group.text("--bounds", "MINX,MINY,MINZ,MAXX,MAXY,MAXZ", "", "What the grid covers, world units; default: the scene over its whole animation",
+             [&](const std::string& given) { grid.bounds = parseBounds(given); });
+  group.choice<Stretch>("--stretch", grid.stretch, {{"auto", Stretch::automatic}, {"x", Stretch::x}, {"y", Stretch::y}, {"z", Stretch::z}},
+                        "Axis of the image along which a cell's slots lie; auto: the one with the fewest cells");
+  group.choice<Builder>("--builder", grid.builder, {{"compute", Builder::compute}, {"raster", Builder::raster}}, "Both make the same bits");
+  group.choice<uint32_t>("--insertion", grid.insertion, {{"sorted", kInsertionSorted}, {"first-come", kInsertionFirstCome}},
+                         "sorted: the same grid in every run; first-come: the paper's");
+  group.choice<NumberBy>("--number-by", grid.numberBy, {{"file", NumberBy::file}, {"area", NumberBy::area}},
+                         "Order of the references; full cells refuse the last: by area, the smallest triangles");
+  group.choice<uint32_t>("--overlap", grid.overlap, {{"plane", kOverlapPlane}, {"exact", kOverlapExact}},
+                         "plane: the paper's test, generous; exact: triangle against cube");
+  group.number("--enlargement", "FACTOR", grid.enlargement, {0.01, 100.0}, shownDefault(grid.enlargement), "Of the cell in the overlap test");
+  group.choice<UpdateMode>("--update", grid.update, {{"all", UpdateMode::all}, {"moved", UpdateMode::moved}},
+                           "all: every dynamic instance anew in each frame; moved: only what moved");
+}
+
+void addTraceOptions(CLI::App& command, Options& options) {
+  OptionGroup group(command, "Rays and trace");
+  TraceSettings& trace = options.settings.trace;
+  const NumberRange edges{0.0, 1e6};
+  group.choice<uint32_t>("--traversal", trace.traversal, {{"segment", kTraversalSegment}, {"dda", kTraversalDda}},
+                         "segment: cell-sized steps, the paper's; dda: every cell that the ray pierces");
+  group.number("--back", "EDGES", trace.back, edges, shownDefault(trace.back), "How far a segment reaches back, in cell edges");
+  group.number("--ahead", "EDGES", options.ahead, edges, shownDefault(trace.ahead),
+               "How far it reaches beyond its end, in cell edges (a built-in scene may bring its own)");
+  group.number("--tmin", "EDGES", trace.tMin, edges, shownDefault(trace.tMin), "Nearest hit that counts, in cell edges");
+  group.choice<bool>("--gap-fill", trace.gapFill, {{"on", true}, {"off", false}}, "Voxel hits in saturated cells where no triangle was hit");
+  group.number("--gate", "EDGES", trace.gate, edges, shownDefault(trace.gate),
+               "No voxel hit nearer than this to the plane of the surface that the ray leaves, in cell edges");
+  group.text("--max-segments", "N", "enough to cross the grid", "Segments (dda: cells) after which a ray ends",
+             [&trace](const std::string& given) { trace.maxSegments = parseWhole("--max-segments", given, {1, 0xFFFFFFFFu}); });
+  group.whole("--seed", options.settings.bounce.seed, {}, std::to_string(options.settings.bounce.seed), "Of the glossy bounce");
+  group.number("--roughness", "0..1", options.settings.bounce.roughness, {0.0, 1.0}, "the materials' own", "Of every material in the bounce");
+  group.text("--rays", "FILE.npy", "", "Own rays instead of the bounce: floats of shape (H,W,6|9) or (N,6|9): origin, direction[, launch normal]",
+             [&options](const std::string& given) { options.rays = given; });
+}
+
+}  // namespace
+
+void addFrameOptions(CLI::App& command, Options& options) {
+  addSceneOptions(command, options);
+  addGridOptions(command, options);
+  addTraceOptions(command, options);
+  addDeviceOptions(command, options);
+}
+
+void addDeviceOptions(CLI::App& command, Options& options) {
+  OptionGroup group(command, "Device");
+  group.text("--device", "NAME|INDEX|cpu", "the first that can be used",
+             "A Vulkan device ('gridscope info' lists them); cpu: build, update and trace in C++",
+             [&](const std::string& given) { options.device = given; });
+  group.flag("--validation", options.validation, true, "Vulkan's validation layers, synchronization too; exit 1 when they report anything");
+}
+
+void addPictureOptions(CLI::App& command, Options& options) {
+  OptionGroup group(command, "Pictures");
+  std::vector<std::string> names;
+  for (const View& view : allViews()) names.emplace_back(view.name);
+  group.text("--view", "NAME[,NAME...]|all", "final", "Views to write: " + joined(names, ", "),
+             [&](const std::string& given) { options.views = parseViews(given); });
+  options.views = parseViews("final");
+  group.text("--out", "DIR", options.out.string(), "Folder of the pictures: DIR/VIEW.png; with several frames DIR/VIEW.0000.png",
+             [&](const std::string& given) { options.out = given; });
+  group.whole("--frames", options.frames, {1, kMostFrames}, std::to_string(options.frames), "How many");
+  group.text("--slice", "x|y|z:INDEX", "y, the middle", "Layer of cells that the view slice shows",
+             [&](const std::string& given) { options.slice = parseSlice(given); });
+  group.text("--range", "MIN:MAX", "the view's own", "Values at the ends of the colour map, in the view's unit",
+             [&](const std::string& given) { options.range = parseRange(given); });
+  group.flag("--no-legend", options.legend, false, "Pictures without the strip below");
+  group.flag("--check-cpu", options.checkCpu, true, "Compare every product with the C++ path; exit 1 names the first difference");
+}
+
+void addRunsOption(CLI::App& command, Options& options) {
+  OptionGroup(command, "Runs").whole("--runs", options.runs, {20, 100000}, std::to_string(options.runs), "Timed runs of each stage");
+}
+
+void addJsonOption(CLI::App& command, Options& options) {
+  OptionGroup(command, "Results").text("--json", "FILE", "", "The results as JSON; - is standard output (then text goes to standard error)",
+                                       [&](const std::string& given) { options.json = given; });
+}
+
+void checkOptions(const Options& options) {
+  if (options.cells && options.cellEdge) throw Error("--cells and --cell-edge both say how fine the grid is; give one of them");
+  if (options.moving && options.teapots == 0) throw Error("--moving: there are no added teapots that could move; give --teapots N too");
+  if (options.moving.value_or(0) > options.teapots)
+    throw Error(printed("--moving %u: more than the %u teapots of --teapots", *options.moving, options.teapots));
+}
+
+FrameSettings settingsOf(const Options& options, const BuiltInScene* builtIn) {
+  FrameSettings settings = options.settings;
+
+  // What the lesson needs. Cells and cell edge say the same thing: one that is given replaces both.
+  if (builtIn) {
+    if (builtIn->cells != 0) settings.grid.cells = builtIn->cells;
+    if (builtIn->cellEdge != 0.0f) settings.grid.cellEdge = builtIn->cellEdge;
+    if (builtIn->capacity != 0) settings.grid.capacity = builtIn->capacity;
+    if (builtIn->ahead != 0.0f) settings.trace.ahead = builtIn->ahead;
+    if (builtIn->width != 0) settings.width = builtIn->width;
+    if (builtIn->height != 0) settings.height = builtIn->height;
+  }
+
+  // What the person said.
+  if (options.cells) settings.grid.cells = *options.cells, settings.grid.cellEdge = 0.0f;
+  if (options.cellEdge) settings.grid.cellEdge = *options.cellEdge;
+  if (options.capacity) settings.grid.capacity = *options.capacity;
+  if (options.ahead) settings.trace.ahead = *options.ahead;
+  if (options.size) settings.width = options.size->width, settings.height = options.size->height;
+  return settings;
+}
+
+}  // namespace gridscope

@@ -1,0 +1,84 @@
+// What a person can say on the command line: one structure for all commands, the functions that offer its options, and what becomes
+// of them. Values are checked as they are read; what depends on scene or device is checked where that is known.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/built_in_scenes.h"
+#include "core/pipeline.h"
+#include "core/settings.h"
+#include "views/picture.h"
+#include "views/view.h"
+
+namespace CLI {
+class App;
+}
+
+namespace gridscope {
+
+struct FrameSize {
+  uint32_t width;
+  uint32_t height;
+};
+
+struct Options {
+  // Scene.
+  std::string scene = "hall";              // path of a .gltf or .glb, or a built-in scene's name
+  uint32_t teapots = 0;                    // added to the scene
+  std::optional<uint32_t> moving;          // of the added teapots; all when not given
+  std::string camera;                      // name or numbers; empty: the scene's first
+  double time = 0.0;                       // seconds, of the first frame
+  uint32_t frames = 1;
+  double frameStep = 1.0 / 60.0;           // seconds
+
+  // Settings; those that a built-in scene may bring are apart, because what is given here goes first.
+  FrameSettings settings;
+  std::optional<FrameSize> size;
+  std::optional<uint32_t> cells;
+  std::optional<float> cellEdge;
+  std::optional<uint32_t> capacity;
+  std::optional<float> ahead;
+  std::filesystem::path rays;              // .npy; empty: the bounce makes them
+
+  // Device.
+  std::string device;                      // name, index or "cpu"; empty: the first that can be used
+  bool validation = false;
+
+  // Pictures and results.
+  std::vector<const View*> views;          // in the order of the list of all views
+  std::filesystem::path out = "out";
+  SliceSettings slice;
+  std::optional<ValueRange> range;
+  bool legend = true;
+  bool checkCpu = false;
+  std::string json;                        // file; "-": standard output; empty: none
+  uint32_t runs = 20;                      // of each stage (bench)
+
+  bool onCpu() const { return device == "cpu"; }
+};
+
+// Offers SCENE and everything that a frame depends on.
+void addFrameOptions(CLI::App& command, Options& options);
+
+// Offers what is made of a frame: views and pictures, number of frames, the check.
+void addPictureOptions(CLI::App& command, Options& options);
+
+// Offers --json.
+void addJsonOption(CLI::App& command, Options& options);
+
+// Offers --device and --validation.
+void addDeviceOptions(CLI::App& command, Options& options);
+
+// Offers --runs.
+void addRunsOption(CLI::App& command, Options& options);
+
+// Options that do not go together; throws Error.
+void checkOptions(const Options& options);
+
+// The settings of a frame without its camera: defaults, then the built-in scene's (nullptr: none), then the options.
+FrameSettings settingsOf(const Options& options, const BuiltInScene* builtIn);
+
+}  // namespace gridscope

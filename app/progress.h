@@ -1,0 +1,52 @@
+// A progress bar on standard error while a command runs; nothing when that is no terminal.
+#pragma once
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <cstdio>
+#include <string>
+
+namespace gridscope {
+
+class Progress {
+ public:
+  explicit Progress(uint64_t steps) : planned_(steps) {}
+  ~Progress() { clear(); }
+  Progress(const Progress&) = delete;
+  Progress& operator=(const Progress&) = delete;
+
+  // A step begins.
+  void step(const std::string& what) {
+    if (!terminal_) return;
+    const uint64_t full = planned_ == 0 ? 0 : std::min(kWidth, begun_ * kWidth / planned_);
+    const std::string bar = std::string(full, '#') + std::string(kWidth - full, '.');
+    std::fprintf(stderr, "\r\033[K[%s] %s", bar.c_str(), what.c_str());
+    std::fflush(stderr);
+    ++begun_;
+    drawn_ = true;
+  }
+
+  // A line for the person, above the bar.
+  void note(const std::string& line) {
+    clear();
+    std::fprintf(stderr, "%s\n", line.c_str());
+  }
+
+  // Takes the bar away.
+  void clear() {
+    if (drawn_) std::fprintf(stderr, "\r\033[K");
+    drawn_ = false;
+  }
+
+ private:
+  static constexpr uint64_t kWidth = 30;  // characters
+
+  bool terminal_ = isatty(STDERR_FILENO) == 1;
+  bool drawn_ = false;
+  uint64_t planned_;
+  uint64_t begun_ = 0;
+};
+
+}  // namespace gridscope

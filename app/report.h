@@ -1,0 +1,61 @@
+// What a render says about its frames: collected once, printed as a table and written as JSON.
+#pragma once
+
+#include <cstdio>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "app/session.h"
+#include "core/statistics.h"
+
+namespace gridscope {
+
+struct FrameReport {
+  uint32_t frame = 0;
+  float timeSeconds = 0.0f;              // in the animations
+  GridTotals grid;
+  uint64_t tried = 0;                    // references
+  TriangleTotals triangles;
+  RayTotals rays;
+  std::optional<CounterTotals> counters; // where the counting trace ran
+  StageTimes times;
+  UpdateReport update;
+};
+
+struct RenderReport {
+  double startMs = 0.0;                  // load, upload, compile
+  std::vector<FrameReport> frames;       // empty when the build already differed from C++
+  std::vector<std::string> pictures;     // files written
+  std::optional<std::string> check;      // of --check-cpu: the first difference; empty: all equal
+};
+
+// Of the pipeline's present products. `counted`: the counting trace ran.
+FrameReport reportFrame(Session& session, uint32_t frame, bool counted);
+
+// The statistics table of the last frame.
+void printReport(std::FILE* out, const Session& session, const RenderReport& report);
+
+// One sentence: what full cells refuse first under these settings.
+std::string refusedFirst(const GridSettings& settings);
+
+// "12 x 34 x 56 cells of 0.25, capacity 32".
+std::string gridText(const GridParameters& grid);
+
+// The whole report; the keys are those that the README lists.
+nlohmann::ordered_json reportJson(const Session& session, const RenderReport& report);
+
+// Parts that other commands' results have too.
+nlohmann::ordered_json deviceJson(const Session& session);
+nlohmann::ordered_json sceneJson(const Session& session);
+nlohmann::ordered_json gridJson(const GridParameters& grid);
+
+// Where a command's text goes: standard output, unless JSON goes there.
+std::FILE* textStream(const Options& options);
+
+// Writes results to --json; nothing when it was not given. Throws Error.
+void writeJson(const Options& options, const nlohmann::ordered_json& results);
+
+}  // namespace gridscope

@@ -1,0 +1,33 @@
+// Numbers and tables as people read them.
+#pragma once
+
+#include <cstdint>
+#include <cstdio>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace gridscope {
+
+// As printf, into a string.
+[[gnu::format(printf, 1, 2)]] std::string printed(const char* format, ...);
+
+std::string grouped(uint64_t number);                       // "1,234,567"
+std::string percentOf(uint64_t part, uint64_t whole);       // "12.3 %"; "0 %" of nothing
+std::string byteText(uint64_t bytes);                       // "512 bytes", "2.0 GiB"
+std::string joined(const std::vector<std::string>& parts, std::string_view separator);
+
+// Rows of cells in aligned columns.
+class Table {
+ public:
+  // A letter a column: l aligned to the left, r to the right.
+  explicit Table(std::string alignment) : alignment_(std::move(alignment)) {}
+  void add(std::vector<std::string> row);
+  void print(std::FILE* out) const;
+
+ private:
+  std::string alignment_;
+  std::vector<std::vector<std::string>> rows_;
+};
+
+}  // namespace gridscope

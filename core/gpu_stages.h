@@ -1,0 +1,90 @@
+// The stages of a frame on the Vulkan device: the scene's buffers, the grid image and the products, and the passes over them.
+// gpu_scene.cpp uploads the scene, gpu_build.cpp builds and updates, gpu_gather.cpp gathers, bounces and fills views, gpu_trace.cpp traces.
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/build.h"
+#include "core/gpu_program.h"
+#include "core/invariants.h"
+#include "core/numbering.h"
+#include "core/scene.h"
+#include "core/settings.h"
+#include "core/trace.h"
+#include "views/element.h"
+
+namespace gridscope {
+
+// Milliseconds of GPU time.
+struct BuildTimes {
+  double clear = 0.0;
+  double add = 0.0;
+};
+
+class GpuStages {
+ public:
+  // Uploads the scene and allocates what a frame of `pixelCount` pixels needs. textureSize: texels of a diffuse map's side.
+  GpuStages(GpuContext& gpu, const Scene& scene, const NumberedScene& numbered, const FrameSettings& settings);
+  ~GpuStages();
+
+  // Allocates the grid image; its preflight is checkGridFits().
+  void makeGrid(const GridParameters& grid);
+  // Runs compute passes once on zeroed parameters, where each finds nothing to do: drivers compile a pass when it first runs.
+  void warm(std::span<const std::string> stems);
+  void setParameters(const FrameParameters& parameters);
+  void setInstances(std::span<const Instance> instances);
+
+  // Build of the static instances into an empty grid. Throws Error (kExitDevice) when a loop was cut short.
+  BuildReport build(Builder builder, BuildTimes& times);
+  // Update of the dynamic instances, whose new transforms are in the instances already.
+  UpdateReport updateAll(Builder builder, BuildTimes& times);
+  UpdateReport updateMoved(std::span<const uint32_t> moved, BuildTimes& times);
+  GridTotals countGrid();
+
+  // These return milliseconds of GPU time.
+  double gather();
+  double bounce();
+  double trace(bool counting);
+  double view(const std::string& name, uint32_t width, uint32_t height);
+  RayRecord record(uint32_t pixel);
+
+  // Products, to and from the host. Counts are the caller's to get right.
+  std::vector<uint32_t> readGrid();
+  void writeGrid(std::span<const uint32_t> texels);
+  bool hasGrid() const { return bool(grid_); }
+  template <typename T>
+  std::vector<T> read(int binding, size_t count) { return download<T>(gpu_, buffers_[binding], count); }
+  template <typename T>
+  void write(int binding, std::span<const T> values) { upload(gpu_, buffers_[binding], values); }
+
+ private:
+  void makeBuffer(int binding, const std::string& name, uint64_t byteCount);
+  void uploadScene(const Scene& scene, const NumberedScene& numbered, uint32_t textureSize);
+  void makeTargets(uint32_t width, uint32_t height);
+
+  // Passes over instances (gpu_build.cpp).
+  PassArguments argumentsFor(InstanceRange range, uint32_t take) const;
+  void zero(GpuCommands& commands, int binding);
+  void clearGrid(GpuCommands& commands);
+  void transform(GpuCommands& commands, InstanceRange range, uint32_t take);
+  void walk(GpuCommands& commands, const std::string& operation, InstanceRange range, uint32_t take);
+  void walkBig(GpuCommands& commands, const std::string& operation, PassArguments arguments);
+  void buildRaster(GpuCommands& commands, InstanceRange range);
+  void add(GpuCommands& commands, Builder builder, InstanceRange range);
+  BuildReport readReport(const char* stage);
+
+  GpuContext& gpu_;
+  const NumberedScene& numbered_;
+  GpuPrograms programs_;
+  FrameParameters parameters_{};
+  GpuBuffer buffers_[kBindingCount];   // by binding; images have none
+  GpuImage grid_;
+  GpuImage visibility_;
+  GpuImage depth_;
+  GpuImage diffuseMaps_;
+  VkSampler sampler_ = VK_NULL_HANDLE;
+};
+
+}  // namespace gridscope

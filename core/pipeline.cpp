@@ -1,0 +1,208 @@
+// See pipeline.h.
+#include "core/pipeline.h"
+
+#include <algorithm>
+#include <chrono>
+
+#include "core/gpu_stages.h"
+
+namespace gridscope {
+namespace {
+
+// How far a ray starts above its surface, in diagonals of the scene: above the rounding of a gathered position.
+constexpr float kOriginOffset = 1e-5f;
+
+double millisecondsSince(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+}
+
+// Passes that every frame runs.
+std::vector<std::string> framePasses(StageDevice device) {
+  std::vector<std::string> stems = {"gather_resolve", "bounce"};
+  if (device == StageDevice::cpu) return stems;
+  stems.insert(stems.end(), {"grid_clear", "transform", "insert", "big_prepare", "insert_big", "update_clear", "statistics", "trace"});
+  return stems;
+}
+
+}  // namespace
+
+Pipeline::Pipeline(GpuContext& gpu, const Scene& scene, const FrameSettings& settings, StageDevice device)
+    : gpu_(gpu), scene_(scene), settings_(settings), device_(device), bounds_(settings.grid.bounds.value_or(sceneBounds(scene))),
+      numbered_(numberScene(scene, settings.grid.numberBy)) {
+  parameters_.grid = deriveGrid(settings.grid, bounds_, numbered_);
+  checkGridFits(settings.grid, parameters_.grid, device == StageDevice::vulkan ? gpu.gridLimits() : GridLimits{});
+  if (settings.grid.builder == Builder::raster && device == StageDevice::vulkan && !gpu.report().geometryStage)
+    throw Error("--builder raster: " + gpu.report().name + " has no geometry stage; use --builder compute", kExitDevice);
+  setFrameParameters();
+
+  stages_ = std::make_unique<GpuStages>(gpu, scene, numbered_, settings);
+  if (device == StageDevice::vulkan) stages_->makeGrid(parameters_.grid);
+  else cpuWorldTriangles_.resize(numbered_.triangleCount);
+  std::vector<std::string> passes = framePasses(device);
+  stages_->warm(passes);
+  stages_->setParameters(parameters_);
+}
+
+Pipeline::~Pipeline() = default;
+
+void Pipeline::setFrameParameters() {
+  float diagonal = std::max(glm::distance(bounds_.low, bounds_.high), 1e-6f);
+  parameters_.trace = deriveTrace(settings_.trace, parameters_.grid);
+  parameters_.camera = deriveCamera(settings_.camera, settings_.width, settings_.height, diagonal);
+  parameters_.bounce.seed = settings_.bounce.seed;
+  parameters_.bounce.roughness = settings_.bounce.roughness;
+  parameters_.bounce.originOffset = kOriginOffset * diagonal;
+  parameters_.view.farDistance = diagonal;
+  parameters_.view.sunDirection = glm::normalize(vec3(0.35f, 0.85f, 0.25f));
+}
+
+void Pipeline::setCamera(const CameraPose& camera) {
+  settings_.camera = camera;
+  setFrameParameters();
+}
+
+void Pipeline::setTrace(const TraceSettings& settings) {
+  settings_.trace = settings;
+  setFrameParameters();
+}
+
+void Pipeline::setBounce(const BounceSettings& settings) {
+  settings_.bounce = settings;
+  setFrameParameters();
+}
+
+void Pipeline::build() {
+  dynamicAdded_ = false;
+  updateReport_ = {};
+  dynamicTried_ = 0;
+  if (device_ == StageDevice::vulkan) {
+    stages_->setParameters(parameters_);
+    BuildTimes times;
+    buildReport_ = stages_->build(settings_.grid.builder, times);
+    times_.build = times.clear + times.add;
+    return;
+  }
+  auto start = std::chrono::steady_clock::now();
+  cpuGrid_ = buildGrid(parameters_.grid, numbered_, cpuWorldTriangles_, buildReport_);
+  times_.build = millisecondsSince(start);
+}
+
+void Pipeline::update(float timeSeconds) {
+  std::vector<uint32_t> moved = setTransforms(numbered_, scene_, timeSeconds);
+  bool all = !dynamicAdded_ || settings_.grid.update == UpdateMode::all;
+  stages_->setInstances(numbered_.instances);
+  if (device_ == StageDevice::vulkan) {
+    stages_->setParameters(parameters_);
+    BuildTimes times;
+    updateReport_ = all ? stages_->updateAll(settings_.grid.builder, times) : stages_->updateMoved(moved, times);
+    times_.clear = times.clear;
+    times_.add = times.add;
+  } else {
+    auto start = std::chrono::steady_clock::now();
+    updateReport_ = all ? updateAll(numbered_, cpuWorldTriangles_, cpuGrid_) : updateMoved(numbered_, moved, cpuWorldTriangles_, cpuGrid_);
+    times_.clear = 0.0;
+    times_.add = millisecondsSince(start);
+    stages_->write(kBindWorldTriangles, std::span<const Triangle>(cpuWorldTriangles_));
+  }
+  dynamicAdded_ = true;
+  dynamicTried_ = updateReport_.added.tried;
+  if (all) return;
+  GridTotals totals = gridTotals();
+  dynamicTried_ = uint64_t(totals.statistics.dynamicStored) + totals.statistics.dynamicRefused;
+}
+
+void Pipeline::gather() {
+  stages_->setParameters(parameters_);
+  times_.gather = stages_->gather();
+  times_.views = 0.0;
+}
+
+void Pipeline::bounce(uint32_t frame) {
+  parameters_.bounce.frame = frame;
+  stages_->setParameters(parameters_);
+  times_.bounce = stages_->bounce();
+}
+
+void Pipeline::useRays(std::span<const Ray> rays) {
+  CHECK_EQ(rays.size(), rayCount());
+  stages_->write(kBindRays, rays);
+  times_.bounce = 0.0;
+}
+
+void Pipeline::trace(bool counting) {
+  if (device_ == StageDevice::vulkan) {
+    stages_->setParameters(parameters_);
+    if (counting) stages_->warm(std::vector<std::string>{"trace_counting"});
+    times_.trace = stages_->trace(counting);
+    return;
+  }
+  std::vector<Ray> traced = rays();
+  std::vector<Hit> hits(traced.size());
+  std::vector<RayCounters> counted(counting ? traced.size() : 0);
+  auto start = std::chrono::steady_clock::now();
+  traceRays({cpuGrid_, numbered_, cpuWorldTriangles_, parameters_.trace}, traced, hits, counted);
+  times_.trace = millisecondsSince(start);
+  stages_->write(kBindHits, std::span<const Hit>(hits));
+  if (counting) stages_->write(kBindCounters, std::span<const RayCounters>(counted));
+}
+
+Pipeline::ViewImage Pipeline::view(std::string_view name, const SliceSettings& slice) {
+  // The layer of a slice, its width and height along the two other axes.
+  bool isSlice = name == "slice";
+  ivec3 cells = parameters_.grid.cellCount;
+  int across = slice.axis == 0 ? 2 : 0, upward = slice.axis == 1 ? 2 : 1;
+  int layer = slice.index < 0 ? cells[slice.axis] / 2 : slice.index;
+  if (layer >= cells[slice.axis])
+    throw Error("--slice: layer " + std::to_string(layer) + " is beyond the grid's " + std::to_string(cells[slice.axis]) + " cells along that axis");
+  ViewImage image;
+  image.width = isSlice ? uint32_t(cells[across]) : settings_.width;
+  image.height = isSlice ? uint32_t(cells[upward]) : settings_.height;
+  parameters_.view.width = image.width;
+  parameters_.view.height = image.height;
+  parameters_.view.sliceAxis = slice.axis;
+  parameters_.view.sliceIndex = layer;
+
+  // Views read the grid on the device: the C++ path's is brought there.
+  if (device_ == StageDevice::cpu && !stages_->hasGrid()) {
+    checkGridFits(settings_.grid, parameters_.grid, gpu_.gridLimits());
+    stages_->makeGrid(parameters_.grid);
+  }
+  stages_->setParameters(parameters_);
+  if (device_ == StageDevice::cpu) stages_->writeGrid(cpuGrid_.texels);
+
+  std::string stem = "view_" + std::string(name);
+  std::replace(stem.begin(), stem.end(), '-', '_');
+  times_.views += stages_->view(stem, image.width, image.height);
+  image.elements = stages_->read<ViewElement>(kBindViewElements, size_t(image.width) * image.height);
+  return image;
+}
+
+GridTotals Pipeline::gridTotals() { return device_ == StageDevice::vulkan ? stages_->countGrid() : countGrid(cpuGrid_); }
+
+uint64_t Pipeline::referencesTried() { return buildReport_.tried + dynamicTried_; }
+
+Grid Pipeline::grid() {
+  if (device_ == StageDevice::cpu) return cpuGrid_;
+  return {parameters_.grid, stages_->readGrid()};
+}
+
+std::vector<Triangle> Pipeline::worldTriangles() {
+  if (device_ == StageDevice::cpu) return cpuWorldTriangles_;
+  return stages_->read<Triangle>(kBindWorldTriangles, numbered_.triangleCount);
+}
+
+std::vector<GatherPixel> Pipeline::gatherPixels() { return stages_->read<GatherPixel>(kBindGather, rayCount()); }
+std::vector<Ray> Pipeline::rays() { return stages_->read<Ray>(kBindRays, rayCount()); }
+std::vector<Hit> Pipeline::hits() { return stages_->read<Hit>(kBindHits, rayCount()); }
+std::vector<RayCounters> Pipeline::counters() { return stages_->read<RayCounters>(kBindCounters, rayCount()); }
+
+RayRecord Pipeline::record(uint32_t pixel) {
+  CHECK_LT(pixel, rayCount());
+  if (device_ == StageDevice::vulkan) {
+    stages_->setParameters(parameters_);
+    return stages_->record(pixel);
+  }
+  return recordRay({cpuGrid_, numbered_, cpuWorldTriangles_, parameters_.trace}, rays()[pixel]);
+}
+
+}  // namespace gridscope

@@ -1,0 +1,107 @@
+// The device's build, update and trace against C++, on the built-in scenes.
+#include "core/pipeline.h"
+
+#include "core/built_in_scenes.h"
+#include "core/cpu_check.h"
+#include "core/self_test.h"
+#include "tests/gpu_fixture.h"
+
+namespace gridscope {
+namespace {
+
+// A scene's lesson settings, at a size that a test can afford.
+FrameSettings lessonSettings(const BuiltInScene& lesson, const Scene& scene) {
+  FrameSettings settings;
+  if (lesson.cells) settings.grid.cells = lesson.cells;
+  if (lesson.cellEdge > 0.0f) settings.grid.cellEdge = lesson.cellEdge;
+  if (lesson.capacity) settings.grid.capacity = lesson.capacity;
+  settings.width = 160;
+  settings.height = 90;
+  settings.camera = defaultCamera(scene);
+  settings.textureSize = 64;
+  return settings;
+}
+
+// Every product of two frames equals C++.
+void expectEqualsCpu(Pipeline& pipeline, bool bothTraversals) {
+  CpuCheck check(pipeline);
+  pipeline.build();
+  EXPECT_EQ(check.afterBuild(), "");
+  for (int frame = 0; frame < 2; ++frame) {
+    pipeline.update(0.37f * float(frame));
+    EXPECT_EQ(check.afterUpdate(), "");
+    pipeline.gather();
+    pipeline.bounce(uint32_t(frame));
+    for (uint32_t traversal : {kTraversalSegment, kTraversalDda}) {
+      if (traversal == kTraversalDda && !bothTraversals) continue;
+      TraceSettings trace = pipeline.settings().trace;
+      trace.traversal = traversal;
+      pipeline.setTrace(trace);
+      pipeline.trace(true);
+      EXPECT_EQ(check.afterTrace(true), "") << "traversal " << traversal;
+    }
+  }
+}
+
+class LessonTest : public GpuTest, public testing::WithParamInterface<int> {
+ protected:
+  const BuiltInScene& lesson() const { return builtInScenes()[size_t(GetParam())]; }
+};
+
+TEST_P(LessonTest, DeviceEqualsCppInEveryProductWithBothTraversals) {
+  Scene scene = lesson().make();
+  Pipeline pipeline(gpu(), scene, lessonSettings(lesson(), scene));
+  expectEqualsCpu(pipeline, true);
+}
+
+TEST_P(LessonTest, RasterBuilderEqualsCpp) {
+  if (!gpu().report().geometryStage) GTEST_SKIP() << "no geometry stage";
+  Scene scene = lesson().make();
+  FrameSettings settings = lessonSettings(lesson(), scene);
+  settings.grid.builder = Builder::raster;
+  settings.grid.overlap = kOverlapExact;
+  Pipeline pipeline(gpu(), scene, settings);
+  expectEqualsCpu(pipeline, false);
+}
+
+TEST_P(LessonTest, NumberedByAreaWithFewSlotsEqualsCpp) {
+  Scene scene = lesson().make();
+  FrameSettings settings = lessonSettings(lesson(), scene);
+  settings.grid.numberBy = NumberBy::area;
+  settings.grid.capacity = 3;
+  settings.grid.stretch = Stretch::z;
+  Pipeline pipeline(gpu(), scene, settings);
+  expectEqualsCpu(pipeline, false);
+}
+
+TEST_P(LessonTest, FirstComeKeepsTheInvariantsAndTracesAsCpp) {
+  Scene scene = lesson().make();
+  FrameSettings settings = lessonSettings(lesson(), scene);
+  settings.grid.insertion = kInsertionFirstCome;
+  settings.grid.capacity = 5;
+  Pipeline pipeline(gpu(), scene, settings);
+  CpuCheck check(pipeline);
+  pipeline.build();
+  EXPECT_EQ(check.afterBuild(), "");
+  pipeline.update(0.5f);
+  check.afterUpdate();
+  pipeline.gather();
+  pipeline.bounce(0);
+  pipeline.trace(false);
+}
+
+std::string lessonName(const testing::TestParamInfo<int>& info) {
+  std::string name(builtInScenes()[size_t(info.param)].name);
+  std::replace(name.begin(), name.end(), '-', '_');
+  return name;
+}
+INSTANTIATE_TEST_SUITE_P(BuiltIn, LessonTest, testing::Range(0, int(builtInScenes().size())), lessonName);
+
+TEST_F(GpuTest, DevicePassesTheSelfTest) {
+  SelfTestResult result = runSelfTest(gpu());
+  for (const SelfTestResult::Item& item : result.items) EXPECT_EQ(item.different, 0u) << item.name;
+  EXPECT_TRUE(result.passed());
+}
+
+}  // namespace
+}  // namespace gridscope

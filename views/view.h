@@ -1,0 +1,54 @@
+// What a view is. A view reads products and never reruns a stage: it gives one element a pixel (or a cell of a slice), a value or a
+// colour; palette.h turns elements into pixels. A view is one file, views/NAME.h, and one line in views/views.inc.
+//
+// views/NAME.h is read twice. C++ sees the description:
+//     #ifdef __cplusplus
+//     {.name = "visits", .title = "Cells visited", .unit = "cells", ...},
+//     #else
+// GLSL (included by shaders/view.comp) sees the function, in GLSL 4.6 with everything of shaders/bindings.glsl and views/element.h:
+//     ViewElement viewElement(uint pixel) { return valueElement(float(counters[pixel].visits)); }
+//     #endif
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "shaders/shared/palette.h"
+
+namespace gridscope {
+
+// What an element stands for, and with that which products a view needs and how large its image is.
+enum class ViewScope {
+  surface,  // a pixel of the gather buffer
+  ray,      // a pixel's ray
+  slice,    // a cell of one layer
+};
+
+enum class ViewRange {
+  none,       // elements are colours
+  automatic,  // 0 to the 99th percentile of the values, at least 1
+  extent,     // lowest to highest value
+  capacity,   // 0 to the grid's capacity
+};
+
+struct View {
+  std::string_view name;     // of the command line and the file
+  std::string_view title;    // of the legend and the window
+  std::string_view unit;     // what is counted; empty for colours
+  std::string_view about;    // one sentence: what it shows and how to read it
+  ViewScope scope = ViewScope::surface;
+  ViewRange range = ViewRange::none;
+  bool needsCounters = false;        // asks for the counting trace
+  std::string_view marks = "";       // what kMark... elements mean, "saturated (refused)" say; empty: none
+};
+
+// All views, in the order of views/views.inc.
+std::span<const View> allViews();
+
+// nullptr when there is none of that name.
+const View* findView(std::string_view name);
+
+}  // namespace gridscope
