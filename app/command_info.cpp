@@ -100,7 +100,7 @@ Json deviceJson(const TestedDevice& device, size_t index) {
 }  // namespace
 
 void addInfoOptions(CLI::App& command, Options& options) {
-  addDeviceOptions(command, options);
+  addValidationOption(command, options);
   addJsonOption(command, options);
 }
 

@@ -16,12 +16,17 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
+void makeFolder(const std::filesystem::path& folder) {
+  std::error_code fault;
+  if (!folder.empty()) std::filesystem::create_directories(folder, fault);
+  if (fault) throw Error("--out " + folder.string() + ": can't be made: " + fault.message());
+}
+
 // A render in progress.
 class Render {
  public:
   Render(const Options& options, Clock::time_point start)
       : options_(options), progress_(stepCount(options)), session_(options, progress_) {
-    makeFolder();
     if (options.checkCpu) check_.emplace(session_.pipeline());
     report_.startMs = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
   }
@@ -36,13 +41,11 @@ class Render {
   }
 
  private:
-  // Load, device, build; then the stages of each frame and its views.
-  static uint64_t stepCount(const Options& options) { return 3 + uint64_t(options.frames) * (1 + options.views.size()); }
-
-  void makeFolder() {
-    std::error_code fault;
-    std::filesystem::create_directories(options_.out, fault);
-    if (fault) throw Error("--out " + options_.out.string() + ": can't be made: " + fault.message());
+  // Load, device, build; then the stages of each frame and its views; with --check-cpu one more after the build,
+  // the update, the fast trace, and (in most cases) the counting trace.
+  static uint64_t stepCount(const Options& options) {
+    const uint64_t checks = options.checkCpu ? 1 : 0;
+    return 3 + checks + uint64_t(options.frames) * (1 + 3 * checks + options.views.size());
   }
 
   bool different() const { return report_.check && !report_.check->empty(); }
@@ -51,7 +54,7 @@ class Render {
   template <class Check>
   void checkStage(Check check) {
     if (!check_ || different()) return;
-    progress_.note("checking against C++ ...");
+    progress_.step("compare with C++");
     report_.check = check(*check_);
   }
 
@@ -131,6 +134,10 @@ void addRenderOptions(CLI::App& command, Options& options) {
   addJsonOption(command, options);
 }
 
-int runRender(const Options& options) { return Render(options, Clock::now()).run(); }
+int runRender(const Options& options) {
+  const Clock::time_point start = Clock::now();
+  makeFolder(options.out);
+  return Render(options, start).run();
+}
 
 }  // namespace gridscope

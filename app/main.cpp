@@ -1,6 +1,7 @@
 // The program: one command, its options, its exit code.
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <cstdio>
 #include <new>
 #include <string>
@@ -16,13 +17,21 @@ namespace {
 // Without arguments: the main job on the built-in scene.
 const std::vector<std::string> kMainJob = {"render", "--view", "all"};
 
+// A first argument that is neither an option nor a command; empty: there is none.
+std::string unknownCommand(const std::vector<std::string>& arguments) {
+  if (arguments.empty() || arguments.front().starts_with("-")) return "";
+  std::string known;
+  for (const Command& command : kCommands) {
+    if (arguments.front() == command.name) return "";
+    known += (known.empty() ? "" : ", ") + std::string(command.name);
+  }
+  return arguments.front() + ": no such command; there are " + known;
+}
+
 // One line: what is wrong, with the option's name, and where to look.
 std::string explain(const CLI::App& app, const CLI::ParseError& error) {
   std::string what = error.what();
-  if (const auto* extras = dynamic_cast<const CLI::ExtrasError*>(&error)) {
-    what = extras->what();
-    what = what.substr(what.find(": ") + 2) + ": not known here";
-  }
+  if (dynamic_cast<const CLI::ExtrasError*>(&error)) what = what.substr(what.find(": ") + 2) + ": not known here";
   const std::vector<CLI::App*> given = app.get_subcommands();
   return what + "; see gridscope " + (given.empty() ? "" : given.front()->get_name() + " ") + "--help";
 }
@@ -35,6 +44,7 @@ const Command* readCommandLine(CLI::App& app, Options& options, std::vector<std:
   for (const Command& command : kCommands) command.addOptions(*app.add_subcommand(command.name, command.about), options);
   app.footer("Exit codes: 0 done or equal, 1 different or a check failed, 2 bad input or arguments,\n3 the device can't do it or was lost.");
 
+  if (const std::string fault = unknownCommand(arguments); !fault.empty()) throw Error(fault);
   if (arguments.empty()) arguments = kMainJob;
   std::reverse(arguments.begin(), arguments.end());  // as CLI11 wants them
   try {

@@ -27,9 +27,9 @@ static std::optional<double> finiteNumberOf(const std::string& text) {
 
 uint32_t parseWhole(const std::string& option, const std::string& text, WholeRange range) {
   const std::optional<uint64_t> number = numberOf<uint64_t>(text);
-  if (!number || *number < range.low || *number > range.high)
-    throw Error(option + " " + text + ": give a whole number from " + std::to_string(range.low) + " to " + std::to_string(range.high));
-  return static_cast<uint32_t>(*number);
+  if (number && *number >= range.low && *number <= range.high) return static_cast<uint32_t>(*number);
+  const std::string end = range.high == WholeRange{}.high ? " or more" : " to " + std::to_string(range.high);
+  throw Error(option + " " + text + ": give a whole number, " + std::to_string(range.low) + end);
 }
 
 double parseNumber(const std::string& option, const std::string& text, NumberRange range) {

@@ -7,6 +7,7 @@
 
 namespace gridscope {
 
+// Both ends included; by default every number of 32 bits.
 struct WholeRange {
   uint32_t low = 0;
   uint32_t high = 0xFFFFFFFFu;

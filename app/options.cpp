@@ -148,9 +148,9 @@ void addSceneOptions(CLI::App& command, Options& options) {
 void addGridOptions(CLI::App& command, Options& options) {
   OptionGroup group(command, "Grid");
   GridSettings& grid = options.settings.grid;
-  group.whole("--cells", options.cells, {1, 1u << 20}, std::to_string(grid.cells), "Along the longest side (a built-in scene may bring its own)");
+  group.whole("--cells", options.cells, {.low = 1}, std::to_string(grid.cells), "Along the longest side (a built-in scene may bring its own)");
   group.number("--cell-edge", "LENGTH", options.cellEdge, {1e-9, 1e9}, "", "World units; instead of --cells");
-  group.whole("--capacity", options.capacity, {1, 1u << 20}, std::to_string(grid.capacity), "Slots of a cell (a built-in scene may bring its own)");
+  group.whole("--capacity", options.capacity, {.low = 1}, std::to_string(grid.capacity), "Slots of a cell (a built-in scene may bring its own)");
   group.text("--bounds", "MINX,MINY,MINZ,MAXX,MAXY,MAXZ", "", "What the grid covers, world units; default: the scene over its whole animation",
              [&](const std::string& given) { grid.bounds = parseBounds(given); });
   group.choice<Stretch>("--stretch", grid.stretch, {{"auto", Stretch::automatic}, {"x", Stretch::x}, {"y", Stretch::y}, {"z", Stretch::z}},
@@ -181,9 +181,9 @@ void addTraceOptions(CLI::App& command, Options& options) {
   group.number("--gate", "EDGES", trace.gate, edges, shownDefault(trace.gate),
                "No voxel hit nearer than this to the plane of the surface that the ray leaves, in cell edges");
   group.text("--max-segments", "N", "enough to cross the grid", "Segments (dda: cells) after which a ray ends",
-             [&trace](const std::string& given) { trace.maxSegments = parseWhole("--max-segments", given, {1, 0xFFFFFFFFu}); });
+             [&trace](const std::string& given) { trace.maxSegments = parseWhole("--max-segments", given, {.low = 1}); });
   group.whole("--seed", options.settings.bounce.seed, {}, std::to_string(options.settings.bounce.seed), "Of the glossy bounce");
-  group.number("--roughness", "0..1", options.settings.bounce.roughness, {0.0, 1.0}, "the materials' own", "Of every material in the bounce");
+  group.number("--roughness", "0..1", options.settings.bounce.roughness, {0.0, 1.0}, "", "Most roughness that the bounce gives a material: rough ones mirror as glossy ones; 1 leaves their own");
   group.text("--rays", "FILE.npy", "", "Own rays instead of the bounce: floats of shape (H,W,6|9) or (N,6|9): origin, direction[, launch normal]",
              [&options](const std::string& given) { options.rays = given; });
 }
@@ -194,15 +194,15 @@ void addFrameOptions(CLI::App& command, Options& options) {
   addSceneOptions(command, options);
   addGridOptions(command, options);
   addTraceOptions(command, options);
-  addDeviceOptions(command, options);
+  OptionGroup(command, "Device").text("--device", "NAME|INDEX|cpu", "the first that can be used",
+                                      "A Vulkan device ('gridscope info' lists them); cpu: build, update and trace in C++",
+                                      [&](const std::string& given) { options.device = given; });
+  addValidationOption(command, options);
 }
 
-void addDeviceOptions(CLI::App& command, Options& options) {
-  OptionGroup group(command, "Device");
-  group.text("--device", "NAME|INDEX|cpu", "the first that can be used",
-             "A Vulkan device ('gridscope info' lists them); cpu: build, update and trace in C++",
-             [&](const std::string& given) { options.device = given; });
-  group.flag("--validation", options.validation, true, "Vulkan's validation layers, synchronization too; exit 1 when they report anything");
+void addValidationOption(CLI::App& command, Options& options) {
+  OptionGroup(command, "Device").flag("--validation", options.validation, true,
+                                      "Vulkan's validation layers, synchronization too; exit 1 when they report anything");
 }
 
 void addPictureOptions(CLI::App& command, Options& options) {

@@ -69,8 +69,8 @@ void addPictureOptions(CLI::App& command, Options& options);
 // Offers --json.
 void addJsonOption(CLI::App& command, Options& options);
 
-// Offers --device and --validation.
-void addDeviceOptions(CLI::App& command, Options& options);
+// Offers --validation.
+void addValidationOption(CLI::App& command, Options& options);
 
 // Offers --runs.
 void addRunsOption(CLI::App& command, Options& options);

@@ -44,7 +44,7 @@ std::string refusedFirst(const GridSettings& settings);
 // "12 x 34 x 56 cells of 0.25, capacity 32".
 std::string gridText(const GridParameters& grid);
 
-// The whole report; the keys are those that the README lists.
+// The whole report; keys as the command line names things.
 nlohmann::ordered_json reportJson(const Session& session, const RenderReport& report);
 
 // Parts that other commands' results have too.

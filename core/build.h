@@ -37,7 +37,8 @@ struct UpdateReport {
 UpdateReport updateAll(const NumberedScene& scene, std::span<Triangle> worldTriangles, Grid& grid);
 
 // Update, moved: clears the references of the moved instances, closes the gaps in order, adds them again, and rebuilds the dynamic part of
-// every cell among those they left or entered that had or gets a dynamic refusal. The same bits as updateAll() for sorted insertion.
+// every cell among those they left or entered that had refused dynamic references; a cell that begins to refuse gets the same bits without
+// (update.cpp says why). The same bits as updateAll() for sorted insertion.
 // `moved`: rising instance numbers, all dynamic. On entry worldTriangles hold the previous transforms, on return the present ones.
 UpdateReport updateMoved(const NumberedScene& scene, std::span<const uint32_t> moved, std::span<Triangle> worldTriangles, Grid& grid);
 

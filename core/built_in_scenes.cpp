@@ -1,9 +1,9 @@
-#include "built_in_scenes.h"
+#include "core/built_in_scenes.h"
 
 #include <array>
 #include <string>
 
-#include "error.h"
+#include "core/error.h"
 
 namespace gridscope {
 

@@ -5,7 +5,7 @@
 #include <span>
 #include <string_view>
 
-#include "scene.h"
+#include "core/scene.h"
 
 namespace gridscope {
 

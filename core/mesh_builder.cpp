@@ -1,4 +1,4 @@
-#include "mesh_builder.h"
+#include "core/mesh_builder.h"
 
 #include <algorithm>
 #include <cmath>
@@ -30,7 +30,7 @@ vec3 surfaceNormal(const Surface& surface, float s, float t) {
   return length > 0.0f ? normal / length : vec3(0.0f, 1.0f, 0.0f);
 }
 
-void addCorner(Mesh& mesh, const Corner& corner) {
+void addCorner(Mesh& mesh, const MeshCorner& corner) {
   mesh.positions.push_back(corner.position);
   mesh.normals.push_back(corner.normal);
   mesh.uvs.push_back(corner.uv);
@@ -38,11 +38,11 @@ void addCorner(Mesh& mesh, const Corner& corner) {
 }
 
 // Two triangles for each cell of a lattice of (columns + 1) x (rows + 1) corners.
-void addCells(Mesh& mesh, std::span<const Corner> corners, uint32_t columns, uint32_t rows) {
+void addCells(Mesh& mesh, std::span<const MeshCorner> corners, uint32_t columns, uint32_t rows) {
   for (uint32_t row = 0; row < rows; ++row) {
     for (uint32_t column = 0; column < columns; ++column) {
-      const Corner* near = &corners[row * (columns + 1) + column];
-      const Corner* far = near + columns + 1;
+      const MeshCorner* near = &corners[row * (columns + 1) + column];
+      const MeshCorner* far = near + columns + 1;
       addTriangle(mesh, near[0], near[1], far[1]);
       addTriangle(mesh, near[0], far[1], far[0]);
     }
@@ -62,7 +62,7 @@ Mesh newMesh(std::string name, uint32_t materialIndex) {
   return mesh;
 }
 
-void addTriangle(Mesh& mesh, const Corner& a, const Corner& b, const Corner& c) {
+void addTriangle(Mesh& mesh, const MeshCorner& a, const MeshCorner& b, const MeshCorner& c) {
   const vec3 normal = glm::cross(b.position - a.position, c.position - a.position);
   // Slivers that rounding leaves at poles: far below a triangle of a tenth of a millimetre, above the build's own limit.
   if (glm::dot(normal, normal) < 1e-18f) return;
@@ -79,7 +79,7 @@ void addPicture(Mesh& mesh, const vec3& corner, const vec3& edgeS, const vec3& e
 }
 
 void addPatch(Mesh& mesh, const Surface& surface, const PatchShape& shape) {
-  std::vector<Corner> corners;
+  std::vector<MeshCorner> corners;
   corners.reserve((shape.columns + 1) * (shape.rows + 1));
   for (uint32_t row = 0; row <= shape.rows; ++row) {
     for (uint32_t column = 0; column <= shape.columns; ++column) {
@@ -160,7 +160,7 @@ void addBar(Mesh& mesh, const Bar& bar) {
   for (uint32_t i = 0; i <= bar.pieces; ++i) points.push_back(bar.curve(static_cast<float>(i) / static_cast<float>(bar.pieces)));
 
   // Rings of corners; the frame is carried along the curve, so that the bar does not twist where its direction turns.
-  std::vector<Corner> corners;
+  std::vector<MeshCorner> corners;
   vec3 first, second;
   for (uint32_t i = 0; i <= bar.pieces; ++i) {
     const vec3 along = glm::normalize(points[std::min(i + 1, bar.pieces)] - points[i == 0 ? 0 : i - 1]);

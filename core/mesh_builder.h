@@ -5,13 +5,13 @@
 #include <functional>
 #include <span>
 
-#include "scene.h"
+#include "core/scene.h"
 
 namespace gridscope {
 
 inline constexpr float kPi = 3.14159265f;
 
-struct Corner {
+struct MeshCorner {
   vec3 position{0.0f};
   vec3 normal{0.0f, 1.0f, 0.0f};
   vec2 uv{0.0f};
@@ -31,7 +31,7 @@ struct PatchShape {
 
 Mesh newMesh(std::string name, uint32_t materialIndex);
 
-void addTriangle(Mesh& mesh, const Corner& a, const Corner& b, const Corner& c);
+void addTriangle(Mesh& mesh, const MeshCorner& a, const MeshCorner& b, const MeshCorner& c);
 
 // A flat quad from a corner and its two edges, seen from the side to which cross(edgeS, edgeT) points; cut into columns x rows.
 void addQuad(Mesh& mesh, const vec3& corner, const vec3& edgeS, const vec3& edgeT, uint32_t columns = 1, uint32_t rows = 1);

@@ -1,9 +1,9 @@
 // The hall, shown when no scene is named: a vaulted nave with aisles, a mirror-like floor, ivy whose leaves are cut out by
 // alpha, a filigree that saturates its cells, and three teapots that move. Its parts are in scene_hall_*.cpp.
-#include "scene_hall.h"
+#include "core/scene_hall.h"
 
-#include "built_in_scenes.h"
-#include "teapot.h"
+#include "core/built_in_scenes.h"
+#include "core/teapot.h"
 
 namespace gridscope {
 

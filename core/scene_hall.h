@@ -2,7 +2,7 @@
 // The nave runs along z, its floor is y = 0 and its middle x = 0; aisles lie on both sides. All in metres.
 #pragma once
 
-#include "mesh_builder.h"
+#include "core/mesh_builder.h"
 
 namespace gridscope::hall {
 

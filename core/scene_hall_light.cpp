@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "scene_hall.h"
+#include "core/scene_hall.h"
 
 namespace gridscope::hall {
 

@@ -2,7 +2,7 @@
 #include <array>
 #include <cmath>
 
-#include "scene_hall.h"
+#include "core/scene_hall.h"
 
 namespace gridscope::hall {
 
@@ -147,7 +147,8 @@ void addFiligree(Scene& scene) {
 
   Mesh plinth = newMesh("plinth", kCarved);
   const std::array<vec2, 14> profile = {vec2(0.48f, 0.0f), {0.48f, 0.12f}, {0.48f, 0.12f}, {0.42f, 0.16f}, {0.36f, 0.22f},
-                                        {0.33f, 0.30f}, {0.31f, 0.95f}, {0.31f, 0.95f}, {0.34f, 1.02f}, {0.42f, 1.10f}, {0.42f, 1.10f}, {0.42f, 1.20f}, {0.42f, 1.20f}, {0.0f, 1.24f}};
+                                        {0.33f, 0.30f}, {0.31f, 0.95f}, {0.31f, 0.95f}, {0.34f, 1.02f}, {0.42f, 1.10f},
+                                        {0.42f, 1.10f}, {0.42f, 1.20f}, {0.42f, 1.20f}, {0.0f, 1.24f}};
   addLathe(plinth, {kFiligree.x, 0.0f, kFiligree.z}, profile, 24);
   addPart(scene, std::move(plinth));
 }

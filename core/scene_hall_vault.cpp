@@ -2,7 +2,7 @@
 #include <array>
 #include <cmath>
 
-#include "scene_hall.h"
+#include "core/scene_hall.h"
 
 namespace gridscope::hall {
 

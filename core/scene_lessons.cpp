@@ -6,8 +6,8 @@
 #include <cmath>
 #include <string>
 
-#include "built_in_scenes.h"
-#include "mesh_builder.h"
+#include "core/built_in_scenes.h"
+#include "core/mesh_builder.h"
 
 namespace gridscope {
 
@@ -82,7 +82,7 @@ void addBlade(Mesh& mesh, const vec3& foot, const vec3& across, float height) {
 // the wall, and reads one blank slot in each. `visits` grows with the distance, `tests` stays near zero.
 Scene makeEmptyWalk() {
   Scene scene = newScene("empty-walk", {.low = {-6.0f, -18.0f}, .high = {6.0f, 6.0f}, .height = 6.0f},
-                         {.name = "along the floor", .eye = {0.0f, 1.3f, 5.8f}, .target = {0.0f, 0.7f, -6.0f}, .verticalFovDegrees = 40.0f});
+                         {.name = "along the floor", .eye = {0.0f, 1.3f, 5.8f}, .target = {0.0f, 0.7f, -6.0f}, .verticalFovDegrees = 40});
   Mesh markers = newMesh("markers", addMaterial(scene, "marker", kRed));
   for (uint32_t i = 0; i < 3; ++i) {
     const float x = 2.4f * (static_cast<float>(i) - 1.0f), z = -15.0f + 5.0f * static_cast<float>(i);
@@ -94,10 +94,10 @@ Scene makeEmptyWalk() {
 }
 
 // Six hundred blades of grass grow inside one cell of 0.25 m with 16 slots, on a pedestal, and a red panel passes through the
-// same cell. `sorted` insertion keeps the smallest references: the pedestal and the first blades. The later blades and the
-// panel, numbered last, are refused there. In the mirror the panel lacks a square: rays that meet none of the stored blades
-// in it end with a voxel hit, or without gap-filling show what is behind. The pedestal lifts the cell above the gate of 1.75
-// edges, below which gap-filling is held back. The blue panel stands free and loses nothing.
+// same cell. `sorted` insertion keeps the smallest references: the first sixteen blades. The later blades and the panel,
+// numbered last, are refused there. In the mirror the panel lacks a square: rays that meet none of the stored blades in it
+// end with a voxel hit, or without gap-filling show what is behind. The pedestal lifts the cell above the gate of 1.75 edges,
+// below which gap-filling is held back. The blue panel stands free and loses nothing.
 Scene makeSaturatedCell() {
   Scene scene = newScene("saturated-cell", {.low = {-2.0f, -1.0f}, .high = {2.0f, 2.0f}, .height = 1.75f},
                          {.name = "tuft", .eye = {0.55f, 0.95f, 1.95f}, .target = {0.15f, 0.12f, 0.0f}, .verticalFovDegrees = 48.0f});
@@ -125,7 +125,7 @@ Scene makeSaturatedCell() {
   Mesh free = newMesh("free panel", addMaterial(scene, "free panel", kBlue));
   addQuad(free, {0.5f, 0.51f, 0.11f}, {0.35f, 0.0f, 0.0f}, {0.0f, 0.4f, 0.0f});
   addStill(scene, std::move(free));
-  scene.cameras.push_back({.name = "close", .eye = {0.1f, 0.75f, 1.2f}, .target = {-0.1f, 0.05f, 0.2f}, .verticalFovDegrees = 50.0f});
+  scene.cameras.push_back({.name = "close", .eye = {0.1f, 0.95f, 1.3f}, .target = {-0.1f, 0.05f, 0.1f}, .verticalFovDegrees = 60.0f});
   return scene;
 }
 
@@ -362,7 +362,7 @@ Scene makeMovingCrowd(uint32_t movingCount) {
 // the other diagonals, and a sail. Each wants a reference in thousands of cells; the plane test keeps a layer of cells for
 // each, the exact test only those it really meets (compare with `overlap`). They are few, so nothing saturates.
 Scene makeDiagonal() {
-  Scene scene = newScene("diagonal", {.low = {-2.0f, -2.0f}, .high = {2.0f, 2.0f}, .height = 4.0f, .pieces = 2},
+  Scene scene = newScene("diagonal", {.low = {-2.0f, -2.0f}, .high = {2.0f, 2.0f}, .height = 4.0f, .pieces = 4},
                          {.name = "across", .eye = {0.9f, 1.3f, 5.2f}, .target = {-0.1f, 1.35f, 0.0f}, .verticalFovDegrees = 50.0f});
   const auto addSheet = [&](std::string name, const vec3& colour, const std::array<vec3, 3>& corners) {
     Mesh mesh = newMesh(name, addMaterial(scene, name, colour, 0.4f));

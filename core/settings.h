@@ -42,7 +42,7 @@ struct TraceSettings {
 
 struct BounceSettings {
   uint32_t seed = 1;
-  float roughness = -1.0f;               // 0..1 replaces the materials' own; negative: the materials' own
+  float roughness = 0.15f;               // 0..1, the most: rougher materials mirror as if they were this glossy; 1: their own
 };
 
 struct FrameSettings {

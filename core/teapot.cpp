@@ -1,14 +1,14 @@
 // The patches are those that Martin Newell drew up at the University of Utah in 1975, in the proportions in common use since
 // Blinn flattened them (Frank Crow, "The Origins of the Teapot", 1987). Lid, body and bottom are made of quarters about the
 // vertical axis, handle and spout of halves: ten patches and their mirror images give the 32.
-#include "teapot.h"
+#include "core/teapot.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <string>
 
-#include "mesh_builder.h"
+#include "core/mesh_builder.h"
 
 namespace gridscope {
 
@@ -92,7 +92,7 @@ vec3 weightedSum(const TeapotPatch& patch, const std::array<float, 4>& row, cons
 
 // Position and unit normal, in Newell's frame. At the top of the knob and the middle of the bottom a whole row of control
 // points is one point, and the slope along it vanishes.
-Corner evaluate(const TeapotPatch& patch, float u, float v) {
+MeshCorner evaluate(const TeapotPatch& patch, float u, float v) {
   const auto normalAt = [&](float s, float t) {
     return glm::cross(weightedSum(patch, bernsteinSlope(s), bernstein(t)), weightedSum(patch, bernstein(s), bernsteinSlope(t)));
   };
@@ -114,11 +114,11 @@ vec3 placed(const vec3& point, bool mirrorX, bool mirrorY) {
 }
 
 void addTeapotPatch(Mesh& mesh, const TeapotPatch& patch, uint32_t subdivisions, bool mirrorX, bool mirrorY) {
-  std::vector<Corner> corners;
+  std::vector<MeshCorner> corners;
   for (uint32_t row = 0; row <= subdivisions; ++row) {
     for (uint32_t column = 0; column <= subdivisions; ++column) {
       const float steps = static_cast<float>(subdivisions);
-      Corner corner = evaluate(patch, static_cast<float>(column) / steps, static_cast<float>(row) / steps);
+      MeshCorner corner = evaluate(patch, static_cast<float>(column) / steps, static_cast<float>(row) / steps);
       corner.position = placed(corner.position, mirrorX, mirrorY);
       corner.normal = placed(corner.normal, mirrorX, mirrorY);
       corners.push_back(corner);
@@ -129,8 +129,8 @@ void addTeapotPatch(Mesh& mesh, const TeapotPatch& patch, uint32_t subdivisions,
   const bool turned = mirrorX != mirrorY;
   for (uint32_t row = 0; row < subdivisions; ++row) {
     for (uint32_t column = 0; column < subdivisions; ++column) {
-      const Corner* near = &corners[row * (subdivisions + 1) + column];
-      const Corner* far = near + subdivisions + 1;
+      const MeshCorner* near = &corners[row * (subdivisions + 1) + column];
+      const MeshCorner* far = near + subdivisions + 1;
       addTriangle(mesh, near[0], turned ? far[1] : near[1], turned ? near[1] : far[1]);
       addTriangle(mesh, near[0], turned ? far[0] : far[1], turned ? far[1] : far[0]);
     }

@@ -1,7 +1,7 @@
 // The Utah teapot, and animated teapots for any scene, as in the paper's first figure.
 #pragma once
 
-#include "scene.h"
+#include "core/scene.h"
 
 namespace gridscope {
 

@@ -39,7 +39,7 @@ void main() {
   GatherPixel pixel = gatherPixels[index];
   if (pixel.reference != kBlank) {
     uint first = hash(index ^ hash(parameters.bounce.frame ^ hash(parameters.bounce.seed)));
-    float roughness = parameters.bounce.roughness >= 0.0 ? parameters.bounce.roughness : materials[pixel.material].roughness;
+    float roughness = min(materials[pixel.material].roughness, parameters.bounce.roughness);
     vec3 facing = lobeNormal(pixel.shadingNormal, roughness, vec2(unitFloat(first), unitFloat(hash(first))));
 
     // Mirrored; a direction into the surface is mirrored out of it.

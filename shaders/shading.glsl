@@ -74,9 +74,9 @@ float pixelFootprint(float distance, float cosine) {
   return 2.0 * parameters.camera.tanHalfHeight / float(parameters.camera.height) * distance * inversesqrt(max(cosine, 0.02));
 }
 
-// The roughness that the bounce uses.
+// The roughness that the bounce uses: a rough material mirrors as a glossy one, for glossy rays are what the technique traces.
 float surfaceRoughness(TraceMaterial material) {
-  return parameters.bounce.roughness < 0.0 ? material.roughness : parameters.bounce.roughness;
+  return min(material.roughness, parameters.bounce.roughness);
 }
 
 // --- surfaces
@@ -104,7 +104,8 @@ Surface hitSurface(Ray ray, Hit hit, float distance, float roughness) {
   Surface surface;
   surface.position = rayPoint(ray, hit.t);
   surface.toViewer = -ray.direction;
-  vec3 facing = safeNormalize(triangleNormal(worldTriangles[instance.firstWorldTriangle + referenceTriangle(hit.reference)]), surface.toViewer);
+  Triangle world = worldTriangles[instance.firstWorldTriangle + referenceTriangle(hit.reference)];
+  vec3 facing = safeNormalize(triangleNormal(world), surface.toViewer);
   surface.normal = shadingNormal(hit.reference, weights, dot(facing, surface.toViewer) < 0.0 ? -facing : facing);
   surface.albedo = albedoAt(hit.reference, weights, pixelFootprint(distance, 1.0) + 0.1 * roughness * roughness * hit.t);
   surface.roughness = surfaceRoughness(material);
@@ -115,10 +116,10 @@ Surface hitSurface(Ray ray, Hit hit, float distance, float roughness) {
 
 // --- light
 
-const vec3 kSunLight = vec3(1.30, 1.14, 0.90);
-const vec3 kSkyLight = vec3(0.42, 0.52, 0.68);
-const vec3 kFloorLight = vec3(0.34, 0.28, 0.22);
-const vec3 kLampLight = vec3(0.40, 0.37, 0.33);
+const vec3 kSunLight = vec3(1.02, 0.90, 0.72);
+const vec3 kSkyLight = vec3(0.46, 0.54, 0.68);
+const vec3 kFloorLight = vec3(0.40, 0.34, 0.28);
+const vec3 kLampLight = vec3(0.52, 0.48, 0.43);
 
 vec3 skyColour(vec3 direction) {
   float height = direction.y;
@@ -137,18 +138,19 @@ vec3 scatteredLight(Surface surface, float open) {
   vec3 offset = parameters.camera.eye - surface.position;
   float reach = 0.25 * parameters.view.farDistance;
   float lamp = max(dot(normal, normalize(offset)), 0.0) / (1.0 + dot(offset, offset) / (reach * reach));
-  vec3 light = kSunLight * (sun * sun * mix(0.6, 1.0, open)) + kLampLight * lamp + open * mix(kFloorLight, kSkyLight, upward);
+  float shaded = mix(0.5, 1.0, open);
+  vec3 light = shaded * (kSunLight * (sun * sun) + kLampLight * lamp) + open * mix(kFloorLight, kSkyLight, upward);
   return surface.albedo * (1.0 - surface.metallic) * light;
 }
 
 // Share of light that is mirrored: after Schlick, as for a polished surface, less for rough ones. It is more than nature's, because
 // what the rays bring back is what this picture is for.
 vec3 mirrored(Surface surface, vec3 direction) {
-  vec3 low = mix(vec3(0.10 - 0.07 * surface.roughness), surface.albedo, surface.metallic);
+  vec3 low = mix(vec3(0.08 - 0.05 * surface.roughness), surface.albedo, surface.metallic);
   vec3 high = max(vec3(1.0 - 0.75 * surface.roughness), low);
   vec3 middle = surface.toViewer + direction;
   float cosine = dot(middle, middle) > 1e-12 ? clamp(dot(normalize(middle), surface.toViewer), 0.0, 1.0) : 1.0;
-  return low + (high - low) * pow(1.0 - cosine, 3.0);
+  return low + (high - low) * pow(1.0 - cosine, 4.0);
 }
 
 // A surface lit on its own: what a ray sees at its end. Metals show the sky's mean instead of a further bounce.
@@ -167,13 +169,13 @@ vec3 bounceLight(uint pixel, float depth, float roughness) {
 
 // --- occlusion
 
-const int kOcclusionSamples = 16;
+const int kOcclusionSamples = 12;
 
-// How open a surface point is, 0..1, from the neighbouring pixels' positions within a fiftieth of the scene's diagonal.
+// How open a surface point is, 0..1, from the neighbouring pixels' positions within 3 % of the scene's diagonal.
 float openness(uint pixel, GatherPixel seen) {
   ivec2 size = ivec2(parameters.camera.width, parameters.camera.height);
   ivec2 centre = ivec2(int(pixel) % size.x, int(pixel) / size.x);
-  float radius = 0.02 * parameters.view.farDistance;
+  float radius = 0.03 * parameters.view.farDistance;
   float pixelRadius = min(radius / pixelFootprint(seen.depth, 1.0), 0.2 * float(size.y));
   float turn = 6.2831853 * fract(52.9829189 * fract(dot(vec2(centre), vec2(0.06711056, 0.00583715))));
 
@@ -193,14 +195,14 @@ float openness(uint pixel, GatherPixel seen) {
     float fade = max(1.0 - squared / (radius * radius), 0.0);
     closed += fade * max(above, 0.0) * radius / (squared + 0.01 * radius * radius);
   }
-  return 1.0 / (1.0 + 1.8 * closed / float(kOcclusionSamples));
+  return 1.0 / (1.0 + 2.2 * closed / float(kOcclusionSamples));
 }
 
 // --- pictures
 
 // Linear light to sRGB through a filmic curve.
 vec3 toneMapped(vec3 light) {
-  vec3 x = 0.8 * max(light, vec3(0.0));
+  vec3 x = 0.7 * max(light, vec3(0.0));
   return srgbEncode((x * (2.51 * x + 0.03)) / (x * (2.43 * x + 0.59) + 0.14));
 }
 

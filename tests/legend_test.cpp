@@ -38,8 +38,10 @@ TEST(Legend, HasThePicturesWidthAndNothingIsCutAtAnyWidth) {
       // The margins are empty on every side; row 0 is the line on top.
       if (width < 160) continue;
       for (uint32_t y = 1; y < strip.height; ++y)
-        for (uint32_t x : {0u, 8u, width - 8u, width - 1u}) ASSERT_EQ(pixelAt(strip, x, y), kColourPanel) << view.name << " at width " << width << ", pixel " << x << ", " << y;
-      for (uint32_t x = 0; x < width; ++x) ASSERT_EQ(pixelAt(strip, x, strip.height - 2), kColourPanel) << view.name << " at width " << width;
+        for (uint32_t x : {0u, 8u, width - 8u, width - 1u})
+          ASSERT_EQ(pixelAt(strip, x, y), kColourPanel) << view.name << " at width " << width << ", pixel " << x << ", " << y;
+      for (uint32_t x = 0; x < width; ++x)
+        ASSERT_EQ(pixelAt(strip, x, strip.height - 2), kColourPanel) << view.name << " at width " << width;
     }
 }
 

@@ -21,8 +21,10 @@ struct Named {
 
 using Matrix = std::array<vec3, 3>;
 const Matrix kNormal{vec3(1, 0, 0), vec3(0, 1, 0), vec3(0, 0, 1)};
-const Matrix kProtanopia{vec3(0.152286f, 1.052583f, -0.204868f), vec3(0.114503f, 0.786281f, 0.099216f), vec3(-0.003882f, -0.048116f, 1.051998f)};
-const Matrix kDeuteranopia{vec3(0.367322f, 0.860646f, -0.227968f), vec3(0.280085f, 0.672501f, 0.047413f), vec3(-0.011820f, 0.042940f, 0.968881f)};
+const Matrix kProtanopia{vec3(0.152286f, 1.052583f, -0.204868f), vec3(0.114503f, 0.786281f, 0.099216f),
+                         vec3(-0.003882f, -0.048116f, 1.051998f)};
+const Matrix kDeuteranopia{vec3(0.367322f, 0.860646f, -0.227968f), vec3(0.280085f, 0.672501f, 0.047413f),
+                           vec3(-0.011820f, 0.042940f, 0.968881f)};
 
 vec3 times(const Matrix& matrix, vec3 v) { return {glm::dot(matrix[0], v), glm::dot(matrix[1], v), glm::dot(matrix[2], v)}; }
 

@@ -66,7 +66,8 @@ TEST(ViewRange, CapacityIsTheGrids) {
 
 TEST(ViewPicture, AGivenRangeReplacesTheViewsOwnAndIsReturned) {
   const View& view = *findView("visits");
-  ViewPicture result = makeViewPicture(view, values({0.0f, 10.0f, 20.0f, 40.0f}), 4, 1, {.range = ValueRange{10.0f, 20.0f}, .legend = false});
+  ViewPictureSettings settings{.range = ValueRange{10.0f, 20.0f}, .legend = false};
+  ViewPicture result = makeViewPicture(view, values({0.0f, 10.0f, 20.0f, 40.0f}), 4, 1, settings);
   EXPECT_EQ(result.range, (ValueRange{10.0f, 20.0f}));
   uint32_t low = packBytes(colourMap(kColourMapViridis, 0.0f));
   uint32_t high = packBytes(colourMap(kColourMapViridis, 1.0f));
@@ -106,8 +107,11 @@ TEST(ViewPicture, EveryPixelIsOpaqueAndTheLegendGrowsThePictureDownwards) {
 
 TEST(ViewPicture, AnotherColourMapChangesValuesAndLeavesColours) {
   std::vector<ViewElement> elements{valueElement(16.0f), colourElement(vec3(0.2f, 0.4f, 0.6f))};
-  Picture viridis = makeViewPicture(*findView("occupancy"), elements, 2, 1, {.legend = false, .capacity = 32}).picture;
-  Picture magma = makeViewPicture(*findView("occupancy"), elements, 2, 1, {.colourMap = kColourMapMagma, .legend = false, .capacity = 32}).picture;
+  const View& view = *findView("occupancy");
+  ViewPictureSettings settings{.legend = false, .capacity = 32};
+  Picture viridis = makeViewPicture(view, elements, 2, 1, settings).picture;
+  settings.colourMap = kColourMapMagma;
+  Picture magma = makeViewPicture(view, elements, 2, 1, settings).picture;
   EXPECT_NE(pixelAt(viridis, 0, 0), pixelAt(magma, 0, 0));
   EXPECT_EQ(pixelAt(viridis, 1, 0), pixelAt(magma, 1, 0));
 }
@@ -115,7 +119,8 @@ TEST(ViewPicture, AnotherColourMapChangesValuesAndLeavesColours) {
 TEST(ViewPicture, ALayerIsEnlargedByAWholeFactorToAboutTheFrame) {
   std::vector<ViewElement> elements;
   for (int i = 0; i < 16 * 8; ++i) elements.push_back(colourElement(idColour(static_cast<uint32_t>(i))));
-  Picture picture = makeViewPicture(*findView("slice"), elements, 16, 8, {.legend = false, .capacity = 32, .frameWidth = 640, .frameHeight = 360}).picture;
+  ViewPictureSettings settings{.legend = false, .capacity = 32, .frameWidth = 640, .frameHeight = 360};
+  Picture picture = makeViewPicture(*findView("slice"), elements, 16, 8, settings).picture;
   uint32_t factor = picture.width / 16;
   EXPECT_EQ(picture.width % 16, 0u);
   EXPECT_EQ(picture.height, 8 * factor);
@@ -137,7 +142,8 @@ TEST(ViewPicture, ALayerOfFewCellsStillHasAReadableLegend) {
 
 TEST(ViewPicture, ALayerOfManyCellsIsNotEnlarged) {
   std::vector<ViewElement> elements(size_t{1000} * 2, valueElement(1.0f));
-  Picture picture = makeViewPicture(*findView("slice"), elements, 1000, 2, {.legend = false, .capacity = 4, .frameWidth = 640, .frameHeight = 360}).picture;
+  ViewPictureSettings settings{.legend = false, .capacity = 4, .frameWidth = 640, .frameHeight = 360};
+  Picture picture = makeViewPicture(*findView("slice"), elements, 1000, 2, settings).picture;
   EXPECT_EQ(picture.width, 1000u);
 }
 

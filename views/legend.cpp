@@ -289,7 +289,8 @@ Picture drawLegend(const Legend& legend, uint32_t width) {
   for (const std::string& line : legend.lines) lines.paragraph(line, kQuiet, true);
   Picture leftPicture = left.take();
   Picture linesPicture = lines.take();
-  Picture strip = setBelow(leftPicture, makePicture(width, std::max(linesPicture.height, leftPicture.height) - leftPicture.height, kColourPanel));
+  uint32_t height = std::max(linesPicture.height, leftPicture.height);
+  Picture strip = setBelow(leftPicture, makePicture(width, height - leftPicture.height, kColourPanel));
   paste(strip, linesPicture, 0, static_cast<uint32_t>(middle));
   return strip;
 }

@@ -71,7 +71,7 @@ struct CameraParameters {
 struct BounceParameters {
   uint frame;
   uint seed;
-  float roughness;            // 0..1 replaces the materials' own; negative: the materials' own
+  float roughness;            // 0..1: the most that a material's roughness counts
   float originOffset;         // along the geometric normal, world units
 };
 
