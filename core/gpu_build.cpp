@@ -102,6 +102,12 @@ void GpuStages::add(GpuCommands& commands, Builder builder, InstanceRange range)
   walk(commands, "insert", range, kTakeAll);
 }
 
+void GpuStages::transformAll() {
+  GpuCommands commands(gpu_);
+  transform(commands, {0, numbered_.instanceCount()}, kTakeAll);
+  commands.run();
+}
+
 BuildReport GpuStages::readReport(const char* stage) {
   BuildReport report = read<BuildReport>(kBindBuildReport, 1)[0];
   checkWalked(report, stage);

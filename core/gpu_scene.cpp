@@ -86,9 +86,10 @@ void copyLayer(const Image& image, uint32_t size, std::span<uint8_t> layer) {
 
 }  // namespace
 
-GpuStages::GpuStages(GpuContext& gpu, const Scene& scene, const NumberedScene& numbered, const FrameSettings& settings)
+GpuStages::GpuStages(GpuContext& gpu, std::span<const Image> images, const NumberedScene& numbered, const FrameSettings& settings)
     : gpu_(gpu), numbered_(numbered), programs_(gpu) {
-  uploadScene(scene, numbered, settings.textureSize);
+  uploadScene(numbered);
+  uploadImages(images, settings.textureSize);
   makeTargets(settings.width, settings.height);
 }
 
@@ -99,7 +100,7 @@ void GpuStages::makeBuffer(int binding, const std::string& name, uint64_t byteCo
   programs_.bind(binding, buffers_[binding]);
 }
 
-void GpuStages::uploadScene(const Scene& scene, const NumberedScene& numbered, uint32_t textureSize) {
+void GpuStages::uploadScene(const NumberedScene& numbered) {
   auto fill = [&](int binding, const std::string& name, const auto& values) {
     std::span span(values);
     makeBuffer(binding, name, span.size_bytes());
@@ -119,14 +120,15 @@ void GpuStages::uploadScene(const Scene& scene, const NumberedScene& numbered, u
   makeBuffer(kBindMovedInstances, "moved instances", (uint64_t(numbered.instanceCount()) / 32 + 1) * sizeof(uint32_t));
   makeBuffer(kBindUpdateCounts, "update counts", 2 * sizeof(uint32_t));
   makeBuffer(kBindTraceReport, "trace report", 2 * sizeof(uint32_t));
+}
 
-  // Diffuse maps.
-  uint32_t layers = std::max<uint32_t>(1, uint32_t(scene.images.size()));
+void GpuStages::uploadImages(std::span<const Image> images, uint32_t textureSize) {
+  uint32_t layers = std::max<uint32_t>(1, uint32_t(images.size()));
   if (layers > gpu_.report().maxImageArrayLayers)
-    throw Error(scene.name + " has " + std::to_string(layers) + " images, but " + gpu_.report().name + " takes " +
+    throw Error("the scene has " + std::to_string(layers) + " images, but " + gpu_.report().name + " takes " +
                     std::to_string(gpu_.report().maxImageArrayLayers),
                 kExitDevice);
-  if (scene.images.empty()) textureSize = 1;
+  if (images.empty()) textureSize = 1;
   ImageShape shape{.viewType = VK_IMAGE_VIEW_TYPE_2D_ARRAY,
                    .format = kDiffuseFormat,
                    .extent = {textureSize, textureSize, 1},
@@ -135,8 +137,8 @@ void GpuStages::uploadScene(const Scene& scene, const NumberedScene& numbered, u
   diffuseMaps_ = GpuImage(gpu_, "diffuse maps", shape);
   std::vector<uint8_t> texels(size_t(4) * textureSize * textureSize * layers, 255);
   size_t layerBytes = size_t(4) * textureSize * textureSize;
-  forRanges(scene.images.size(), 1, [&](size_t begin, size_t end) {
-    for (size_t i = begin; i < end; ++i) copyLayer(scene.images[i], textureSize, std::span(texels).subspan(i * layerBytes, layerBytes));
+  forRanges(images.size(), 1, [&](size_t begin, size_t end) {
+    for (size_t i = begin; i < end; ++i) copyLayer(images[i], textureSize, std::span(texels).subspan(i * layerBytes, layerBytes));
   });
   GpuCommands commands(gpu_);
   commands.layout(diffuseMaps_, VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_GENERAL);

@@ -13,7 +13,7 @@
 #include "core/scene.h"
 #include "core/settings.h"
 #include "core/trace.h"
-#include "views/element.h"
+#include "shaders/shared/view_element.h"
 
 namespace gridscope {
 
@@ -26,7 +26,7 @@ struct BuildTimes {
 class GpuStages {
  public:
   // Uploads the scene and allocates what a frame of `pixelCount` pixels needs. textureSize: texels of a diffuse map's side.
-  GpuStages(GpuContext& gpu, const Scene& scene, const NumberedScene& numbered, const FrameSettings& settings);
+  GpuStages(GpuContext& gpu, std::span<const Image> images, const NumberedScene& numbered, const FrameSettings& settings);
   ~GpuStages();
 
   // Allocates the grid image; its preflight is checkGridFits().
@@ -44,6 +44,7 @@ class GpuStages {
   GridTotals countGrid();
 
   // These return milliseconds of GPU time.
+  void transformAll();   // world triangles of every instance, without touching the grid
   double gather();
   double bounce();
   double trace(bool counting);
@@ -61,7 +62,8 @@ class GpuStages {
 
  private:
   void makeBuffer(int binding, const std::string& name, uint64_t byteCount);
-  void uploadScene(const Scene& scene, const NumberedScene& numbered, uint32_t textureSize);
+  void uploadScene(const NumberedScene& numbered);
+  void uploadImages(std::span<const Image> images, uint32_t textureSize);
   void makeTargets(uint32_t width, uint32_t height);
 
   // Passes over instances (gpu_build.cpp).

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstring>
 
 #include "core/gpu_stages.h"
 
@@ -27,18 +28,29 @@ std::vector<std::string> framePasses(StageDevice device) {
 }  // namespace
 
 Pipeline::Pipeline(GpuContext& gpu, const Scene& scene, const FrameSettings& settings, StageDevice device)
-    : gpu_(gpu), scene_(scene), settings_(settings), device_(device), bounds_(settings.grid.bounds.value_or(sceneBounds(scene))),
-      numbered_(numberScene(scene, settings.grid.numberBy)) {
+    : gpu_(gpu), scene_(&scene), name_(scene.name), settings_(settings), device_(device),
+      bounds_(settings.grid.bounds.value_or(sceneBounds(scene))), numbered_(numberScene(scene, settings.grid.numberBy)) {
   parameters_.grid = deriveGrid(settings.grid, bounds_, numbered_);
-  checkGridFits(settings.grid, parameters_.grid, device == StageDevice::vulkan ? gpu.gridLimits() : GridLimits{});
-  if (settings.grid.builder == Builder::raster && device == StageDevice::vulkan && !gpu.report().geometryStage)
-    throw Error("--builder raster: " + gpu.report().name + " has no geometry stage; use --builder compute", kExitDevice);
   setFrameParameters();
+  prepare(scene.images);
+}
 
-  stages_ = std::make_unique<GpuStages>(gpu, scene, numbered_, settings);
-  if (device == StageDevice::vulkan) stages_->makeGrid(parameters_.grid);
+Pipeline::Pipeline(GpuContext& gpu, PipelineInputs inputs, StageDevice device)
+    : gpu_(gpu), name_(std::move(inputs.name)), settings_(inputs.settings), device_(device), numbered_(std::move(inputs.numbered)),
+      parameters_(inputs.parameters) {
+  prepare({});
+}
+
+// Refuses what does not fit, then allocates, uploads and compiles.
+void Pipeline::prepare(std::span<const Image> images) {
+  bool onDevice = device_ == StageDevice::vulkan;
+  checkGridFits(settings_.grid, parameters_.grid, onDevice ? gpu_.gridLimits() : GridLimits{});
+  if (settings_.grid.builder == Builder::raster && onDevice && !gpu_.report().geometryStage)
+    throw Error("--builder raster: " + gpu_.report().name + " has no geometry stage; use --builder compute", kExitDevice);
+  stages_ = std::make_unique<GpuStages>(gpu_, images, numbered_, settings_);
+  if (onDevice) stages_->makeGrid(parameters_.grid);
   else cpuWorldTriangles_.resize(numbered_.triangleCount);
-  std::vector<std::string> passes = framePasses(device);
+  std::vector<std::string> passes = framePasses(device_);
   stages_->warm(passes);
   stages_->setParameters(parameters_);
 }
@@ -88,7 +100,22 @@ void Pipeline::build() {
 }
 
 void Pipeline::update(float timeSeconds) {
-  std::vector<uint32_t> moved = setTransforms(numbered_, scene_, timeSeconds);
+  CHECK(scene_ != nullptr);
+  updateFrom(setTransforms(numbered_, *scene_, timeSeconds));
+}
+
+void Pipeline::update(std::span<const Instance> instances) {
+  CHECK_EQ(instances.size(), numbered_.instances.size());
+  std::vector<uint32_t> moved;
+  for (uint32_t i = numbered_.staticInstanceCount; i < instances.size(); ++i) {
+    if (!std::memcmp(&instances[i], &numbered_.instances[i], sizeof(Instance))) continue;
+    numbered_.instances[i] = instances[i];
+    moved.push_back(i);
+  }
+  updateFrom(moved);
+}
+
+void Pipeline::updateFrom(std::span<const uint32_t> moved) {
   bool all = !dynamicAdded_ || settings_.grid.update == UpdateMode::all;
   stages_->setInstances(numbered_.instances);
   if (device_ == StageDevice::vulkan) {
@@ -123,10 +150,39 @@ void Pipeline::bounce(uint32_t frame) {
   times_.bounce = stages_->bounce();
 }
 
+void Pipeline::useGrid(std::span<const uint32_t> texels) {
+  CHECK_EQ(texels.size() * sizeof(uint32_t), gridByteCount(parameters_.grid));
+  stages_->setInstances(numbered_.instances);
+  stages_->setParameters(parameters_);
+  if (device_ == StageDevice::vulkan) {
+    stages_->writeGrid(texels);
+    stages_->transformAll();
+  } else {
+    cpuGrid_ = {parameters_.grid, {texels.begin(), texels.end()}};
+    transformTriangles(numbered_, {0, numbered_.instanceCount()}, cpuWorldTriangles_);
+    stages_->write(kBindWorldTriangles, std::span<const Triangle>(cpuWorldTriangles_));
+  }
+}
+
+void Pipeline::useGather(std::span<const GatherPixel> pixels) {
+  CHECK_EQ(pixels.size(), rayCount());
+  stages_->write(kBindGather, pixels);
+}
+
 void Pipeline::useRays(std::span<const Ray> rays) {
   CHECK_EQ(rays.size(), rayCount());
   stages_->write(kBindRays, rays);
   times_.bounce = 0.0;
+}
+
+void Pipeline::useHits(std::span<const Hit> hits) {
+  CHECK_EQ(hits.size(), rayCount());
+  stages_->write(kBindHits, hits);
+}
+
+void Pipeline::useCounters(std::span<const RayCounters> counters) {
+  CHECK_EQ(counters.size(), rayCount());
+  stages_->write(kBindCounters, counters);
 }
 
 void Pipeline::trace(bool counting) {
@@ -147,16 +203,15 @@ void Pipeline::trace(bool counting) {
 }
 
 Pipeline::ViewImage Pipeline::view(std::string_view name, const SliceSettings& slice) {
-  // The layer of a slice, its width and height along the two other axes.
   bool isSlice = name == "slice";
   ivec3 cells = parameters_.grid.cellCount;
-  int across = slice.axis == 0 ? 2 : 0, upward = slice.axis == 1 ? 2 : 1;
   int layer = slice.index < 0 ? cells[slice.axis] / 2 : slice.index;
   if (layer >= cells[slice.axis])
     throw Error("--slice: layer " + std::to_string(layer) + " is beyond the grid's " + std::to_string(cells[slice.axis]) + " cells along that axis");
   ViewImage image;
-  image.width = isSlice ? uint32_t(cells[across]) : settings_.width;
-  image.height = isSlice ? uint32_t(cells[upward]) : settings_.height;
+  uvec2 size = isSlice ? sliceSize(cells, slice.axis) : uvec2(settings_.width, settings_.height);
+  image.width = size.x;
+  image.height = size.y;
   parameters_.view.width = image.width;
   parameters_.view.height = image.height;
   parameters_.view.sliceAxis = slice.axis;

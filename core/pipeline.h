@@ -16,7 +16,7 @@
 #include "core/scene.h"
 #include "core/settings.h"
 #include "core/trace.h"
-#include "views/element.h"
+#include "shaders/shared/view_element.h"
 
 namespace gridscope {
 
@@ -35,6 +35,14 @@ struct StageTimes {
   double views = 0.0;     // sum since the last gather
 };
 
+// A scene that is numbered already, with every derived parameter: what a capture holds.
+struct PipelineInputs {
+  std::string name;              // for messages
+  NumberedScene numbered;
+  FrameSettings settings;
+  FrameParameters parameters;    // taken as they are, bit for bit
+};
+
 // A layer of cells for the view `slice`. index < 0: the layer in the middle of the grid.
 struct SliceSettings {
   int axis = 1;
@@ -46,15 +54,24 @@ class Pipeline {
   // Numbers and uploads the scene; throws Error when the scene or the grid does not fit. `scene` must outlive the pipeline.
   // Stages are compiled here, so that their times hold no compilation.
   Pipeline(GpuContext& gpu, const Scene& scene, const FrameSettings& settings, StageDevice device = StageDevice::vulkan);
+  // The same without a scene: no diffuse maps, and updates are told the transforms.
+  Pipeline(GpuContext& gpu, PipelineInputs inputs, StageDevice device = StageDevice::vulkan);
   ~Pipeline();
 
   // Stages, in this order. build() ends with a grid of the static instances alone.
   void build();
   void update(float timeSeconds);              // moves the dynamic instances; the first after a build adds all of them
+  void update(std::span<const Instance> instances);  // the same with all instances as of the new frame; static ones must not differ
   void gather();
   void bounce(uint32_t frame);
-  void useRays(std::span<const Ray> rays);     // instead of bounce; as many as the frame has pixels
   void trace(bool counting);                   // counting: also the counters, which cost a little
+
+  // Products from elsewhere, instead of a stage's. Sizes must be those of the frame.
+  void useGrid(std::span<const uint32_t> texels);    // instead of build and update: the instances' present transforms are applied
+  void useGather(std::span<const GatherPixel> pixels);
+  void useRays(std::span<const Ray> rays);
+  void useHits(std::span<const Hit> hits);
+  void useCounters(std::span<const RayCounters> counters);
 
   // Elements of a view over the present products: one a pixel, or one a cell of the slice.
   struct ViewImage {
@@ -71,7 +88,7 @@ class Pipeline {
   void setBounce(const BounceSettings& settings);
 
   // Facts.
-  const Scene& scene() const { return scene_; }
+  const std::string& name() const { return name_; }
   const NumberedScene& numbered() const { return numbered_; }
   const FrameParameters& parameters() const { return parameters_; }
   const StageTimes& times() const { return times_; }
@@ -93,10 +110,13 @@ class Pipeline {
   RayRecord record(uint32_t pixel);
 
  private:
+  void prepare(std::span<const Image> images);
   void setFrameParameters();
+  void updateFrom(std::span<const uint32_t> moved);
 
   GpuContext& gpu_;
-  const Scene& scene_;
+  const Scene* scene_ = nullptr;               // null for captured inputs
+  std::string name_;
   FrameSettings settings_;
   StageDevice device_;
   Bounds bounds_;

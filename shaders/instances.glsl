@@ -1,6 +1,6 @@
 // Passes over the world triangles of a range of instances.
 layout(scalar, push_constant) uniform ArgumentsBlock { PassArguments arguments; };
-layout(scalar, set = 0, binding = kBindMovedInstances) readonly buffer MovedInstancesBuffer { uint movedInstances[]; };
+#include "moved.glsl"
 
 // The instance of a world triangle: the last whose first triangle is not behind it. At most 16 iterations.
 uint findInstance(uint worldTriangle) {
@@ -16,6 +16,5 @@ uint findInstance(uint worldTriangle) {
 
 bool instanceTaken(uint instance) {
   if (arguments.take == kTakeAll) return true;
-  bool moved = ((movedInstances[instance >> 5] >> (instance & 31u)) & 1u) != 0u;
-  return moved == (arguments.take == kTakeMoved);
+  return instanceMoved(instance) == (arguments.take == kTakeMoved);
 }

@@ -5,13 +5,11 @@
 #extension GL_GOOGLE_include_directive : require
 
 #include "bindings.glsl"
-#include "instances.glsl"
+#include "moved.glsl"
 layout(scalar, set = 0, binding = kBindCellMarks) buffer CellMarksBuffer { uint cellMarks[]; };
 layout(scalar, set = 0, binding = kBindUpdateCounts) buffer UpdateCountsBuffer { uint cellsTouched; uint cellsRebuilt; };
 
 layout(local_size_x = 4, local_size_y = 4, local_size_z = 4) in;
-
-bool instanceMoved(uint instance) { return ((movedInstances[instance >> 5] >> (instance & 31u)) & 1u) != 0u; }
 
 void main() {
   ivec3 cell = ivec3(gl_GlobalInvocationID);

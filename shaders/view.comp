@@ -5,7 +5,7 @@
 
 #include "bindings.glsl"
 #include "products.glsl"
-#include "views/element.h"
+#include "shared/view_element.h"
 
 layout(scalar, set = 0, binding = kBindViewElements) writeonly buffer ViewElementsBuffer { ViewElement viewElements[]; };
 

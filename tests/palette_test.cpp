@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "shaders/shared/palette.h"
-#include "views/element.h"
+#include "shaders/shared/view_element.h"
 
 namespace gridscope {
 namespace {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/image_file.h"
-#include "views/element.h"
+#include "shaders/shared/view_element.h"
 #include "views/view.h"
 
 namespace gridscope {

@@ -1,8 +1,8 @@
 // One element of a view, in the language that C++ and GLSL share: what a view's function returns, and how it becomes a colour.
-#ifndef GRIDSCOPE_VIEWS_ELEMENT_H
-#define GRIDSCOPE_VIEWS_ELEMENT_H
+#ifndef GRIDSCOPE_SHARED_VIEW_ELEMENT_H
+#define GRIDSCOPE_SHARED_VIEW_ELEMENT_H
 
-#include "../shaders/shared/palette.h"
+#include "palette.h"
 
 BEGIN_SHARED
 

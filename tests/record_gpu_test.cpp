@@ -1,0 +1,56 @@
+// The recording trace: its end is the frame's hit, and its steps are those that C++ records.
+#include <cstring>
+
+#include "core/built_in_scenes.h"
+#include "core/pipeline.h"
+#include "tests/gpu_fixture.h"
+
+namespace gridscope {
+namespace {
+
+TEST_F(GpuTest, RecordedRaysEndAsTheFrameDidAndEqualCpp) {
+  Scene scene = makeBuiltInScene("saturated-cell");
+  const BuiltInScene& lesson = findBuiltInScene("saturated-cell");
+  FrameSettings settings;
+  settings.grid.cellEdge = lesson.cellEdge;
+  settings.grid.capacity = lesson.capacity;
+  settings.width = 96;
+  settings.height = 54;
+  settings.camera = defaultCamera(scene);
+  Pipeline pipeline(gpu(), scene, settings);
+  pipeline.build();
+  pipeline.update(0.0f);
+  pipeline.gather();
+  pipeline.bounce(0);
+  for (uint32_t traversal : {kTraversalSegment, kTraversalDda}) {
+    TraceSettings trace;
+    trace.traversal = traversal;
+    pipeline.setTrace(trace);
+    pipeline.trace(false);
+    std::vector<Hit> hits = pipeline.hits();
+    std::vector<Ray> rays = pipeline.rays();
+    Grid grid = pipeline.grid();
+    std::vector<Triangle> triangles = pipeline.worldTriangles();
+    TraceInput input{grid, pipeline.numbered(), triangles, pipeline.parameters().trace};
+    for (uint32_t pixel = 7; pixel < hits.size(); pixel += 61) {
+      RayRecord device = pipeline.record(pixel), cpp = recordRay(input, rays[pixel]);
+      EXPECT_EQ(0, std::memcmp(&device.hit, &hits[pixel], sizeof(Hit))) << "pixel " << pixel;
+      ASSERT_EQ(device.steps.size(), cpp.steps.size());
+      for (size_t i = 0; i < device.steps.size(); ++i) {
+        EXPECT_EQ(device.steps[i].cell, cpp.steps[i].cell);
+        EXPECT_EQ(device.steps[i].outcome, cpp.steps[i].outcome);
+        EXPECT_EQ(device.steps[i].saturated, cpp.steps[i].saturated);
+        EXPECT_EQ(device.steps[i].travel, cpp.steps[i].travel);
+        ASSERT_EQ(device.steps[i].tests.size(), cpp.steps[i].tests.size());
+        for (size_t k = 0; k < device.steps[i].tests.size(); ++k) {
+          EXPECT_EQ(device.steps[i].tests[k].reference, cpp.steps[i].tests[k].reference);
+          EXPECT_EQ(device.steps[i].tests[k].verdict, cpp.steps[i].tests[k].verdict);
+          EXPECT_EQ(device.steps[i].tests[k].t, cpp.steps[i].tests[k].t);
+        }
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace gridscope
