@@ -8,6 +8,7 @@
 #include "app/text.h"
 #include "core/cpu_check.h"
 #include "core/error.h"
+#include "core/exact_check.h"
 #include "views/picture.h"
 
 namespace gridscope {
@@ -36,6 +37,7 @@ class Render {
     session_.pipeline().build();
     checkStage([](CpuCheck& check) { return check.afterBuild(); });
     for (uint32_t frame = 0; frame < options_.frames && !different(); ++frame) runFrame(frame);
+    if (options_.checkExact > 0) compareExact();
     progress_.clear();
     return finish();
   }
@@ -78,6 +80,16 @@ class Render {
     report_.frames.push_back(reportFrame(session_, frame, counting));
   }
 
+  // Only the grid's parameters matter to a hit found without it.
+  void compareExact() {
+    progress_.step("compare with all triangles");
+    Pipeline& pipeline = session_.pipeline();
+    const Grid shape{pipeline.parameters().grid, {}};
+    const std::vector<Triangle> triangles = pipeline.worldTriangles();
+    report_.exact = compareWithExact({shape, pipeline.numbered(), triangles, pipeline.parameters().trace}, pipeline.rays(),
+                                     pipeline.hits(), options_.checkExact);
+  }
+
   bool needsCounters(uint32_t frame) const {
     if (frame + 1 == options_.frames) return true;  // the table shows them
     for (const View* view : options_.views)
@@ -87,7 +99,7 @@ class Render {
 
   void writeView(const View& view, uint32_t frame) {
     progress_.step(std::string(view.name));
-    const Pipeline::ViewImage image = session_.pipeline().view(view.name, options_.slice);
+    const Pipeline::ViewImage image = session_.pipeline().view(view.name, options_.slice, view.needsGrid);
     const std::string number = options_.frames > 1 ? printed(".%04u", frame) : "";
     const std::string file = (options_.out / (std::string(view.name) + number + ".png")).string();
     writePng(file, makeViewPicture(view, image.elements, image.width, image.height, pictureSettings()).picture);
@@ -114,9 +126,11 @@ class Render {
     if (!report_.frames.empty()) printReport(out, session_, report_);
     std::fprintf(out, "%-12s%zu in %s\n", "pictures", report_.pictures.size(), options_.out.string().c_str());
     if (report_.check) std::fprintf(out, "%-12s%s\n", "check", different() ? report_.check->c_str() : "every product equals the C++ path's");
+    if (report_.exact) printExact(out, *report_.exact, session_.pipeline().settings().width);
     if (options_.validation) std::fprintf(out, "%-12s%u messages\n", "validation", session_.validationMessages());
     writeJson(options_, reportJson(session_, report_));
-    return different() || session_.validationMessages() > 0 ? kExitDifferent : kExitDone;
+    const bool inexact = report_.exact && report_.exact->differences.size() > kMostExactDifferences;
+    return different() || inexact || session_.validationMessages() > 0 ? kExitDifferent : kExitDone;
   }
 
   const Options& options_;

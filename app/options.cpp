@@ -221,6 +221,8 @@ void addPictureOptions(CLI::App& command, Options& options) {
              [&](const std::string& given) { options.range = parseRange(given); });
   group.flag("--no-legend", options.legend, false, "Pictures without the strip below");
   group.flag("--check-cpu", options.checkCpu, true, "Compare every product with the C++ path; exit 1 names the first difference");
+  group.whole("--check-exact", options.checkExact, {}, "0",
+              "Compare N rays of the last frame with the nearest hit among all triangles; lists those that differ, exit 1 when more than 5 do");
 }
 
 void addRunsOption(CLI::App& command, Options& options) {

@@ -54,6 +54,7 @@ struct Options {
   std::optional<ValueRange> range;
   bool legend = true;
   bool checkCpu = false;
+  uint32_t checkExact = 0;               // rays to compare with the nearest hit among all triangles; 0: none
   std::string json;                        // file; "-": standard output; empty: none
   uint32_t runs = 20;                      // of each stage (bench)
 

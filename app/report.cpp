@@ -104,4 +104,15 @@ void printReport(std::FILE* out, const Session& session, const RenderReport& rep
   table.print(out);
 }
 
+void printExact(std::FILE* out, const ExactComparison& exact, uint32_t frameWidth) {
+  std::fprintf(out, "%-12s%zu of %u rays differ from the nearest hit among all triangles\n", "exact", exact.differences.size(), exact.compared);
+  constexpr size_t kMostLines = 20;
+  for (size_t i = 0; i < std::min(kMostLines, exact.differences.size()); ++i) {
+    const ExactDifference& difference = exact.differences[i];
+    std::fprintf(out, "            pixel %u,%u: t %.7g, exact %.7g, reference 0x%08X, exact 0x%08X%s\n", difference.ray % frameWidth,
+                 difference.ray / frameWidth, difference.traced.t, difference.exact.t, difference.traced.reference,
+                 difference.exact.reference, difference.grazes ? ", grazes an edge" : "");
+  }
+}
+
 }  // namespace gridscope

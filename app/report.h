@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/session.h"
+#include "core/exact_check.h"
 #include "core/statistics.h"
 
 namespace gridscope {
@@ -29,6 +30,7 @@ struct RenderReport {
   double startMs = 0.0;                  // load, upload, compile
   std::vector<FrameReport> frames;       // empty when the build already differed from C++
   std::vector<std::string> pictures;     // files written
+  std::optional<ExactComparison> exact;  // of --check-exact
   std::optional<std::string> check;      // of --check-cpu: the first difference; empty: all equal
 };
 
@@ -37,6 +39,12 @@ FrameReport reportFrame(Session& session, uint32_t frame, bool counted);
 
 // The statistics table of the last frame.
 void printReport(std::FILE* out, const Session& session, const RenderReport& report);
+
+// More than these many rays that graze an edge are not explained by rounding.
+inline constexpr size_t kMostExactDifferences = 5;
+
+// How many rays agree with the exact hits, and each that does not.
+void printExact(std::FILE* out, const ExactComparison& exact, uint32_t frameWidth);
 
 // One sentence: what full cells refuse first under these settings.
 std::string refusedFirst(const GridSettings& settings);

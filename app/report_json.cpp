@@ -70,6 +70,7 @@ Json reportJson(const Session& session, const RenderReport& report) {
   json["grid"] = gridJson(grid);
   json["pictures"] = report.pictures;
   json["warnings"] = session.scene().warnings;
+  if (report.exact) json["checkExact"] = {{"compared", report.exact->compared}, {"different", report.exact->differences.size()}};
   if (report.check) json["checkCpu"] = {{"equal", report.check->empty()}, {"first", *report.check}};
   if (report.frames.empty()) return json;
 

@@ -202,7 +202,7 @@ void Pipeline::trace(bool counting) {
   if (counting) stages_->write(kBindCounters, std::span<const RayCounters>(counted));
 }
 
-Pipeline::ViewImage Pipeline::view(std::string_view name, const SliceSettings& slice) {
+Pipeline::ViewImage Pipeline::view(std::string_view name, const SliceSettings& slice, bool readsGrid) {
   bool isSlice = name == "slice";
   ivec3 cells = parameters_.grid.cellCount;
   int layer = slice.index < 0 ? cells[slice.axis] / 2 : slice.index;
@@ -217,13 +217,13 @@ Pipeline::ViewImage Pipeline::view(std::string_view name, const SliceSettings& s
   parameters_.view.sliceAxis = slice.axis;
   parameters_.view.sliceIndex = layer;
 
-  // Views read the grid on the device: the C++ path's is brought there.
-  if (device_ == StageDevice::cpu && !stages_->hasGrid()) {
+  bool bringGrid = device_ == StageDevice::cpu && readsGrid;
+  if (bringGrid && !stages_->hasGrid()) {
     checkGridFits(settings_.grid, parameters_.grid, gpu_.gridLimits());
     stages_->makeGrid(parameters_.grid);
   }
   stages_->setParameters(parameters_);
-  if (device_ == StageDevice::cpu) stages_->writeGrid(cpuGrid_.texels);
+  if (bringGrid) stages_->writeGrid(cpuGrid_.texels);
 
   std::string stem = "view_" + std::string(name);
   std::replace(stem.begin(), stem.end(), '-', '_');

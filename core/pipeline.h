@@ -79,7 +79,8 @@ class Pipeline {
     uint32_t height;
     std::vector<ViewElement> elements;         // row by row, first row at the top (slice: see sliceSize())
   };
-  ViewImage view(std::string_view name, const SliceSettings& slice = {});
+  // readsGrid: with StageDevice::cpu the grid is brought to the device first, where it must fit.
+  ViewImage view(std::string_view name, const SliceSettings& slice = {}, bool readsGrid = true);
 
   // Settings. Those of a stage take effect when it runs next; a changed grid setting asks for build() again, which setGrid() says.
   const FrameSettings& settings() const { return settings_; }

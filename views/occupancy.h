@@ -6,6 +6,7 @@
  .about = "The brighter a surface, the more triangles share its cell; a hatched cell was full and refused some.",
  .scope = ViewScope::surface,
  .range = ViewRange::capacity,
+ .needsGrid = true,
  .marks = "saturated"},
 #else
 ViewElement viewElement(uint pixel) {

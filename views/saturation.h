@@ -6,6 +6,7 @@
  .about = "Hatched surfaces lie in cells that were full: the brighter, the more triangles are missing there. Dark: none.",
  .scope = ViewScope::surface,
  .range = ViewRange::automatic,
+ .needsGrid = true,
  .marks = "saturated, none refused"},
 #else
 ViewElement viewElement(uint pixel) {

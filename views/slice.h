@@ -6,6 +6,7 @@
  .about = "One layer of cells, seen from the side or from above; nearly black cells are empty, hatched ones were full and refused some.",
  .scope = ViewScope::slice,
  .range = ViewRange::capacity,
+ .needsGrid = true,
  .marks = "saturated"},
 #else
 ViewElement viewElement(uint element) {

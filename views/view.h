@@ -42,6 +42,7 @@ struct View {
   ViewScope scope = ViewScope::surface;
   ViewRange range = ViewRange::none;
   bool needsCounters = false;        // asks for the counting trace
+  bool needsGrid = false;            // reads the grid's cells: with --device cpu the device must hold a copy
   std::string_view marks = "";       // what kMark... elements mean, "saturated (refused)" say; empty: none
 };
 

@@ -1,0 +1,32 @@
+// Between a pipeline and a capture: its present products into a frame, and a captured frame's inputs back into what a pipeline takes.
+#pragma once
+
+#include <vector>
+
+#include "core/capture.h"
+#include "core/pipeline.h"
+
+namespace gridscope {
+
+// What a person calls the scene's things.
+CaptureNames namesOf(const Scene& scene);
+
+// A capture of what the pipeline runs on, without frames. `bounds`: the scene's over its whole animation.
+Capture startCapture(const Pipeline& pipeline, CaptureNames names, const Bounds& bounds);
+
+// The pipeline's present frame: its instances, and the chosen products, which its stages must have made.
+CaptureFrame takeFrame(Pipeline& pipeline, const CaptureProducts& products, float timeSeconds);
+
+// A captured frame for the pipeline that runs without a scene.
+PipelineInputs pipelineInputs(const Capture& capture, size_t frame);
+
+// All instances with the frame's transforms, as an update takes them.
+std::vector<Instance> frameInstances(const Capture& capture, size_t frame);
+
+// Made by this program: its grid is what the build makes of the scene. Another engine's grid is its own; build and update do not apply.
+bool builtHere(const Capture& capture);
+
+// The part of a capture's `writer` that says so.
+inline constexpr const char* kWriterName = "gridscope ";
+
+}  // namespace gridscope
