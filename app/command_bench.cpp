@@ -30,7 +30,7 @@ std::vector<StageRow> stageRows() {
 
 // A frame's stages after the build.
 void runFrame(Session& session, uint32_t frame) {
-  session.pipeline().update(session.frameTime(frame));
+  session.update(frame);
   session.makeRays(frame);
   session.pipeline().trace(false);
 }
@@ -42,12 +42,12 @@ std::vector<StageRow> measure(Session& session, const Options& options, Progress
 
   // Warm-up.
   progress.step("warm up");
-  pipeline.build();
+  session.build();
   runFrame(session, 0);
 
   for (uint32_t run = 0; run < options.runs; ++run) {
     progress.step(printed("build %u of %u", run + 1, options.runs));
-    pipeline.build();
+    session.build();
     rows[0].times.push_back(pipeline.times().build);
   }
   runFrame(session, 0);

@@ -34,7 +34,7 @@ class Render {
 
   int run() {
     progress_.step("build");
-    session_.pipeline().build();
+    session_.build();
     checkStage([](CpuCheck& check) { return check.afterBuild(); });
     for (uint32_t frame = 0; frame < options_.frames && !different(); ++frame) runFrame(frame);
     if (options_.checkExact > 0) compareExact();
@@ -63,7 +63,7 @@ class Render {
   void runFrame(uint32_t frame) {
     Pipeline& pipeline = session_.pipeline();
     progress_.step(printed("frame %u of %u", frame + 1, options_.frames));
-    pipeline.update(session_.frameTime(frame));
+    session_.update(frame);
     checkStage([](CpuCheck& check) { return check.afterUpdate(); });
     session_.makeRays(frame);
 

@@ -26,11 +26,35 @@ int runInfo(const Options& options);
 void addBenchOptions(CLI::App& command, Options& options);
 int runBench(const Options& options);
 
+void addCaptureOptions(CLI::App& command, Options& options);
+int runCapture(const Options& options);
+
+void addInspectOptions(CLI::App& command, Options& options);
+int runInspect(const Options& options);
+
+void addReplayOptions(CLI::App& command, Options& options);
+int runReplay(const Options& options);
+
+void addDiffOptions(CLI::App& command, Options& options);
+int runDiff(const Options& options);
+
+void addRayOptions(CLI::App& command, Options& options);
+int runRay(const Options& options);
+
+void addUpdateCapturesOptions(CLI::App& command, Options& options);
+int runUpdateCaptures(const Options& options);
+
 inline constexpr Command kCommands[] = {
     {"render", "Run all stages on a scene: pictures of its views, and statistics", addRenderOptions, runRender},
     {"scenes", "List the built-in scenes", addScenesOptions, runScenes},
     {"info", "List the Vulkan devices: what each can do, and its self-test", addInfoOptions, runInfo},
     {"bench", "Time each stage on a scene", addBenchOptions, runBench},
+    {"capture", "Keep frames of a scene in a file: inputs, grid, rays, hits", addCaptureOptions, runCapture},
+    {"inspect", "Say what captures hold", addInspectOptions, runInspect},
+    {"replay", "Run the stages of captures again and compare every product bit for bit", addReplayOptions, runReplay},
+    {"diff", "Compare two captures by meaning", addDiffOptions, runDiff},
+    {"ray", "Follow one ray step by step", addRayOptions, runRay},
+    {"update-captures", "Rerecord the captures of a folder after a wanted change, and say what changed", addUpdateCapturesOptions, runUpdateCaptures},
 };
 
 }  // namespace gridscope

@@ -56,6 +56,8 @@ const Command* readCommandLine(CLI::App& app, Options& options, std::vector<std:
     throw Error(explain(app, error));
   }
   checkOptions(options);
+  for (const CLI::Option* option : app.get_subcommands().front()->get_options())
+    if (option->count() > 0) options.given.push_back(option->get_name());
   for (const Command& command : kCommands)
     if (app.got_subcommand(command.name)) return &command;
   throw Error("no command; see gridscope --help");

@@ -127,6 +127,19 @@ std::vector<const View*> parseViews(const std::string& text) {
   return views;
 }
 
+CaptureProducts parseProducts(const std::string& text) {
+  CaptureProducts products{.grid = false, .gather = false, .rays = false, .hits = false, .counters = false, .preview = false};
+  const Choice<bool CaptureProducts::*> known[] = {{"grid", &CaptureProducts::grid}, {"gather", &CaptureProducts::gather},
+                                                   {"rays", &CaptureProducts::rays}, {"hits", &CaptureProducts::hits},
+                                                   {"counters", &CaptureProducts::counters}, {"preview", &CaptureProducts::preview}};
+  for (const std::string& name : splitText(text, ',')) {
+    const auto* found = std::ranges::find_if(known, [&](const auto& one) { return name == one.name; });
+    if (found == std::end(known)) throw Error("--products " + text + ": there is no product '" + name + "'; give some of grid,gather,rays,hits,counters,preview");
+    products.*found->value = true;
+  }
+  return products;
+}
+
 void addSceneOptions(CLI::App& command, Options& options) {
   OptionGroup scene(command, "Scene");
   command.add_option("SCENE", options.scene, "A .gltf or .glb file, or a built-in scene ('gridscope scenes' lists them)")
@@ -194,10 +207,14 @@ void addFrameOptions(CLI::App& command, Options& options) {
   addSceneOptions(command, options);
   addGridOptions(command, options);
   addTraceOptions(command, options);
+  addDeviceOption(command, options);
+  addValidationOption(command, options);
+}
+
+void addDeviceOption(CLI::App& command, Options& options) {
   OptionGroup(command, "Device").text("--device", "NAME|INDEX|cpu", "the first that can be used",
                                       "A Vulkan device ('gridscope info' lists them); cpu: build, update and trace in C++",
                                       [&](const std::string& given) { options.device = given; });
-  addValidationOption(command, options);
 }
 
 void addValidationOption(CLI::App& command, Options& options) {
@@ -232,6 +249,57 @@ void addRunsOption(CLI::App& command, Options& options) {
 void addJsonOption(CLI::App& command, Options& options) {
   OptionGroup(command, "Results").text("--json", "FILE", "", "The results as JSON; - is standard output (then text goes to standard error)",
                                        [&](const std::string& given) { options.json = given; });
+}
+
+void addFilesOption(CLI::App& command, Options& options, const std::string& what, size_t count) {
+  CLI::Option* files = command.add_option_function<std::vector<std::string>>(
+      "files", [&](const std::vector<std::string>& given) { options.captures.files.assign(given.begin(), given.end()); }, what);
+  files->required()->type_name("FILE");
+  if (count != 0) files->expected(static_cast<int>(count));
+  OptionGroup(command, "Files").flag("--salvage", options.captures.salvage, true, "Open damaged captures without the entries that fail");
+}
+
+void addCaptureFileOptions(CLI::App& command, Options& options) {
+  OptionGroup group(command, "Capture");
+  CaptureOptions& captures = options.captures;
+  group.text("-o,--output", "FILE.gridcap", "", "The file to write", [&](const std::string& given) { captures.output = given; });
+  group.text("--note", "TEXT", "", "Kept in the file: what it shows", [&](const std::string& given) { captures.note = given; });
+  group.text("--products", "NAME[,NAME...]", "all", "Of grid, gather, rays, hits, counters, preview",
+             [&](const std::string& given) { captures.products = parseProducts(given); });
+  group.whole("--sequence", captures.sequence, {1, 65536}, std::to_string(captures.sequence), "Consecutive frames in the file");
+  group.flag("--salvage", captures.salvage, true, "Open a damaged capture without the entries that fail");
+}
+
+void addReplayChoices(CLI::App& command, Options& options) {
+  OptionGroup group(command, "Replay");
+  CaptureOptions& captures = options.captures;
+  group.choice<ReplayFrom>("--from", captures.from,
+                           {{"auto", ReplayFrom::automatic}, {"build", ReplayFrom::build}, {"update", ReplayFrom::update}, {"trace", ReplayFrom::trace}},
+                           "First stage to run again; auto: build where gridscope built the grid, else trace");
+  group.whole("--repeat", captures.repeat, {.low = 1}, std::to_string(captures.repeat), "Runs; what is not the same in each is different");
+  group.whole("--jobs", captures.jobs, {1, 256}, std::to_string(captures.jobs), "Processes at a time");
+  group.text("--shard", "I/N", "1/1", "Every N-th file from the I-th, of the sorted list", [&](const std::string& given) {
+    const std::vector<std::string> parts = splitText(given, '/');
+    if (parts.size() != 2) throw Error("--shard " + given + ": give I/N, 1/4 say");
+    captures.shards = parseWhole("--shard (N)", parts[1], {1, 1000000});
+    captures.shard = parseWhole("--shard (I)", parts[0], {1, captures.shards});
+  });
+  group.text("--junit", "FILE", "", "Verdicts as a JUnit file, a test case a capture", [&](const std::string& given) { captures.junit = given; });
+  addDifferenceFolderOption(command, options);
+}
+
+void addDifferenceFolderOption(CLI::App& command, Options& options) {
+  OptionGroup(command, "Pictures").text("--out", "DIR", "", "Folder of a difference picture and an A/B strip for each capture that differs",
+                                        [&](const std::string& given) { options.captures.differences = given; });
+}
+
+void addPixelOption(CLI::App& command, Options& options) {
+  OptionGroup(command, "Ray").text("--pixel", "X,Y", "0,0", "The ray's pixel; 0,0 is the top left", [&](const std::string& given) {
+    const std::vector<std::string> parts = splitText(given, ',');
+    if (parts.size() != 2) throw Error("--pixel " + given + ": give X,Y, 48,27 say");
+    options.captures.pixelX = parseWhole("--pixel (X)", parts[0], {0, kMostPixelsPerSide});
+    options.captures.pixelY = parseWhole("--pixel (Y)", parts[1], {0, kMostPixelsPerSide});
+  });
 }
 
 void checkOptions(const Options& options) {

@@ -8,7 +8,9 @@
 #include <vector>
 
 #include "core/built_in_scenes.h"
+#include "core/capture.h"
 #include "core/pipeline.h"
+#include "core/replay.h"
 #include "core/settings.h"
 #include "views/picture.h"
 #include "views/view.h"
@@ -22,6 +24,25 @@ namespace gridscope {
 struct FrameSize {
   uint32_t width;
   uint32_t height;
+};
+
+// What capture, replay and their kin are told.
+struct CaptureOptions {
+  std::vector<std::filesystem::path> files;     // captures and folders of them
+  std::filesystem::path output;                 // of `capture`
+  std::string note;
+  CaptureProducts products{};
+  uint32_t sequence = 1;                        // frames in the file
+  ReplayFrom from = ReplayFrom::automatic;
+  std::filesystem::path junit;                  // file; empty: none
+  std::filesystem::path differences;            // folder of difference pictures; empty: none
+  uint32_t repeat = 1;
+  uint32_t jobs = 1;                            // processes
+  uint32_t shard = 1;                           // of `shards`: every shards-th file
+  uint32_t shards = 1;
+  bool salvage = false;
+  uint32_t pixelX = 0;                          // of `ray`
+  uint32_t pixelY = 0;
 };
 
 struct Options {
@@ -58,6 +79,9 @@ struct Options {
   std::string json;                        // file; "-": standard output; empty: none
   uint32_t runs = 20;                      // of each stage (bench)
 
+  CaptureOptions captures;
+  std::vector<std::string> given;          // names of the options on the command line
+
   bool onCpu() const { return device == "cpu"; }
 };
 
@@ -75,6 +99,24 @@ void addValidationOption(CLI::App& command, Options& options);
 
 // Offers --runs.
 void addRunsOption(CLI::App& command, Options& options);
+
+// Offers --device.
+void addDeviceOption(CLI::App& command, Options& options);
+
+// Offers FILE or DIR, one or more (`count` of them when it is not 0), and --salvage.
+void addFilesOption(CLI::App& command, Options& options, const std::string& what, size_t count = 0);
+
+// Offers -o, --note, --products and --sequence.
+void addCaptureFileOptions(CLI::App& command, Options& options);
+
+// Offers --out, for pictures of differences.
+void addDifferenceFolderOption(CLI::App& command, Options& options);
+
+// Offers --from, --repeat, --jobs, --shard, --junit and --out.
+void addReplayChoices(CLI::App& command, Options& options);
+
+// Offers --pixel.
+void addPixelOption(CLI::App& command, Options& options);
 
 // Options that do not go together; throws Error.
 void checkOptions(const Options& options);

@@ -3,15 +3,23 @@
 
 #include <algorithm>
 
+#include "app/capture_files.h"
 #include "app/text.h"
+#include "core/frame_capture.h"
 #include "core/error.h"
 
 namespace gridscope {
 
-// The scene, announced: a step of the bar before, warnings behind.
-static LoadedScene loadSceneWith(const Options& options, Progress& progress) {
+static std::optional<Capture> loadCapture(const Options& options, Progress& progress) {
+  if (!isCapturePath(options.scene)) return std::nullopt;
   progress.step("load");
-  LoadedScene loaded = loadScene(options);
+  return readSceneCapture(options);
+}
+
+// The scene, announced: a step of the bar before, warnings behind.
+static LoadedScene loadSceneWith(const Options& options, const std::optional<Capture>& capture, Progress& progress) {
+  progress.step("load");
+  LoadedScene loaded = capture ? sceneOfCapture(options, *capture) : loadScene(options);
   for (const std::string& warning : loaded.scene.warnings) progress.note("warning: " + warning);
   return loaded;
 }
@@ -41,12 +49,22 @@ static GpuOptions gpuOptions(const Options& options, Progress& progress) {
   return {.device = options.onCpu() ? "" : options.device, .validation = options.validation};
 }
 
+static Pipeline makePipeline(GpuContext& gpu, const LoadedScene& loaded, const std::optional<Capture>& capture, bool onCpu) {
+  const StageDevice device = onCpu ? StageDevice::cpu : StageDevice::vulkan;
+  const FrameSettings& settings = checkFrameFits(loaded.settings, gpu.report());
+  if (!capture) return Pipeline(gpu, loaded.scene, settings, device);
+  PipelineInputs inputs = pipelineInputs(*capture, 0);
+  inputs.settings = settings;
+  return Pipeline(gpu, std::move(inputs), device);
+}
+
 Session::Session(const Options& options, Progress& progress)
     : options_(options),
-      loaded_(loadSceneWith(options, progress)),
+      capture_(loadCapture(options, progress)),
+      loaded_(loadSceneWith(options, capture_, progress)),
       rays_(loadRaysWith(options, loaded_.settings, progress)),
       gpu_(gpuOptions(options, progress)),
-      pipeline_(gpu_, loaded_.scene, checkFrameFits(loaded_.settings, gpu_.report()), options.onCpu() ? StageDevice::cpu : StageDevice::vulkan) {
+      pipeline_(makePipeline(gpu_, loaded_, capture_, options.onCpu())) {
   const int axis = options.slice.axis, layers = pipeline_.parameters().grid.cellCount[axis];
   if (options.slice.index >= layers)
     throw Error(printed("--slice %c:%d: the grid has layers 0 to %d along %c", "xyz"[axis], options.slice.index, layers - 1, "xyz"[axis]));
@@ -54,12 +72,36 @@ Session::Session(const Options& options, Progress& progress)
 
 std::string Session::deviceName() const { return options_.onCpu() ? "cpu" : gpu_.report().name; }
 
-float Session::frameTime(uint32_t frame) const { return static_cast<float>(options_.time + double(frame) * options_.frameStep); }
+CaptureNames Session::names() const { return capture_ ? capture_->names : namesOf(loaded_.scene); }
+
+Bounds Session::bounds() const { return capture_ ? capture_->bounds : loaded_.settings.grid.bounds.value_or(sceneBounds(loaded_.scene)); }
+
+float Session::frameTime(uint32_t frame) const {
+  return capture_ ? capturedFrame(frame).timeSeconds : static_cast<float>(options_.time + double(frame) * options_.frameStep);
+}
+
+void Session::build() {
+  if (!capture_ || capture_->grid.reserved == 2) pipeline_.build();
+}
+
+void Session::update(uint32_t frame) {
+  if (!capture_) return pipeline_.update(frameTime(frame));
+  if (capture_->grid.reserved == 2) pipeline_.update(frameInstances(*capture_, frame % capture_->frames.size()));
+  if (!capturedFrame(frame).grid.empty()) pipeline_.useGrid(capturedFrame(frame).grid);
+}
 
 void Session::makeRays(uint32_t frame) {
   pipeline_.gather();
-  if (rays_.rays.empty()) pipeline_.bounce(frame);
-  else pipeline_.useRays(rays_.rays);
+  if (capture_) {
+    const CaptureFrame& captured = capturedFrame(frame);
+    if (!captured.gather.empty()) pipeline_.useGather(captured.gather);
+    if (!captured.rays.empty()) pipeline_.useRays(captured.rays);
+    else pipeline_.bounce(captured.bounce.frame);
+  } else if (rays_.rays.empty()) {
+    pipeline_.bounce(frame);
+  } else {
+    pipeline_.useRays(rays_.rays);
+  }
 }
 
 }  // namespace gridscope

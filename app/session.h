@@ -1,10 +1,11 @@
-// What every command on a scene begins with: the scene, the device, rays of one's own, the pipeline.
+// What every command on a scene begins with: the scene or the capture, the device, rays of one's own, the pipeline.
 #pragma once
 
 #include "app/load_rays.h"
 #include "app/load_scene.h"
 #include "app/options.h"
 #include "app/progress.h"
+#include "core/capture.h"
 #include "core/gpu_context.h"
 #include "core/pipeline.h"
 
@@ -17,17 +18,27 @@ class Session {
 
   Pipeline& pipeline() { return pipeline_; }
   const Pipeline& pipeline() const { return pipeline_; }
-  const Scene& scene() const { return loaded_.scene; }
+  const Scene& scene() const { return loaded_.scene; }  // of a capture: its name, materials and warnings alone
+  const Capture* capture() const { return capture_ ? &*capture_ : nullptr; }  // nullptr: runs on a scene
+  CaptureNames names() const;
+  Bounds bounds() const;                             // that the grid is made for
   std::string deviceName() const;                    // that runs build, update and trace
   const DeviceReport& deviceReport() const { return gpu_.report(); }
   uint32_t validationMessages() const { return gpu_.validationMessages(); }
   float frameTime(uint32_t frame) const;             // seconds
 
-  // Gather, then the rays: the bounce's, or the person's own.
+  // The grid: a capture's own where it holds one.
+  void build();
+  void update(uint32_t frame);
+
+  // Gather, then the rays: the bounce's, the capture's, or the person's own.
   void makeRays(uint32_t frame);
 
  private:
+  const CaptureFrame& capturedFrame(uint32_t frame) const { return capture_->frames[frame % capture_->frames.size()]; }
+
   const Options& options_;
+  std::optional<Capture> capture_;
   LoadedScene loaded_;
   LoadedRays rays_;
   GpuContext gpu_;

@@ -1,60 +1,54 @@
-// See capture_frame.h.
-#include "core/capture_frame.h"
+// See capture.h: the pieces of a captured frame.
+#include <cstring>
+
+#include "core/capture.h"
 
 namespace gridscope {
 
-CaptureNames namesOf(const Scene& scene) {
-  CaptureNames names{.scene = scene.name, .meshes = {}, .instances = {}, .materials = {}};
-  for (const Mesh& mesh : scene.meshes) names.meshes.push_back(mesh.name);
-  for (const SceneInstance& instance : scene.instances) names.instances.push_back(instance.name);
-  for (const Material& material : scene.materials) names.materials.push_back(material.name);
-  return names;
+namespace {
+
+void setRows(Instance& instance, const InstanceRows& rows) {
+  instance.row0 = rows.row0;
+  instance.row1 = rows.row1;
+  instance.row2 = rows.row2;
 }
 
-Capture startCapture(const Pipeline& pipeline, CaptureNames names, const Bounds& bounds) {
-  Capture capture;
-  capture.settings = pipeline.settings();
-  capture.grid = pipeline.parameters().grid;
-  capture.trace = pipeline.parameters().trace;
-  capture.bounds = bounds;
-  capture.scene = pipeline.numbered();
-  capture.names = std::move(names);
-  return capture;
+}  // namespace
+
+FrameParameters frameParameters(const Capture& capture, size_t frame) {
+  CHECK_LT(frame, capture.frames.size());
+  const CaptureFrame& captured = capture.frames[frame];
+  return {capture.grid, capture.trace, captured.camera, captured.bounce, captured.view};
 }
 
-CaptureFrame takeFrame(Pipeline& pipeline, const CaptureProducts& products, float timeSeconds) {
-  const FrameParameters& parameters = pipeline.parameters();
-  CaptureFrame frame{.timeSeconds = timeSeconds, .camera = parameters.camera, .bounce = parameters.bounce, .view = parameters.view};
-  frame.rows = rowsOf(pipeline.numbered().instances);
-
-  // What the last view left there is no part of the frame.
-  frame.view.width = parameters.camera.width;
-  frame.view.height = parameters.camera.height;
-  if (products.grid) frame.grid = pipeline.grid().texels;
-  if (products.gather) frame.gather = pipeline.gatherPixels();
-  if (products.rays) frame.rays = pipeline.rays();
-  if (products.hits) frame.hits = pipeline.hits();
-  if (products.counters) frame.counters = pipeline.counters();
-  return frame;
+NumberedScene frameScene(const Capture& capture, size_t frame) {
+  CHECK_LT(frame, capture.frames.size());
+  NumberedScene scene = capture.scene;
+  for (size_t i = 0; i < scene.instances.size(); ++i) setRows(scene.instances[i], capture.frames[frame].rows[i]);
+  return scene;
 }
 
-PipelineInputs pipelineInputs(const Capture& capture, size_t frame) {
-  PipelineInputs inputs{.name = capture.names.scene, .numbered = frameScene(capture, frame), .settings = capture.settings,
-                        .parameters = frameParameters(capture, frame)};
-
-  // Diffuse maps are not in the capture: surfaces show their base colour.
-  for (TraceMaterial& material : inputs.numbered.materials) material.layer = kNoLayer;
-  return inputs;
+Grid frameGrid(const Capture& capture, size_t frame) {
+  CHECK_LT(frame, capture.frames.size());
+  CHECK(!capture.frames[frame].grid.empty());
+  return {capture.grid, capture.frames[frame].grid};
 }
 
-std::vector<Instance> frameInstances(const Capture& capture, size_t frame) {
-  std::vector<Instance> instances = capture.scene.instances;
-  const std::vector<InstanceRows>& rows = capture.frames[frame].rows;
-  CHECK_EQ(rows.size(), instances.size());
-  for (size_t i = 0; i < instances.size(); ++i) instances[i].row0 = rows[i].row0, instances[i].row1 = rows[i].row1, instances[i].row2 = rows[i].row2;
-  return instances;
+std::vector<uint32_t> movedInstances(const Capture& capture, size_t frame) {
+  CHECK_LT(frame, capture.frames.size());
+  std::vector<uint32_t> moved;
+  for (uint32_t i = capture.scene.staticInstanceCount; i < capture.scene.instanceCount(); ++i) {
+    const auto rowsIn = [&](size_t f) { return &capture.frames[f].rows[i]; };
+    if (frame == 0 || std::memcmp(rowsIn(frame), rowsIn(frame - 1), sizeof(InstanceRows)) != 0) moved.push_back(i);
+  }
+  return moved;
 }
 
-bool builtHere(const Capture& capture) { return capture.grid.reserved == 2 && capture.writer.starts_with(kWriterName); }
+std::vector<InstanceRows> rowsOf(std::span<const Instance> instances) {
+  std::vector<InstanceRows> rows;
+  rows.reserve(instances.size());
+  for (const Instance& instance : instances) rows.push_back({instance.row0, instance.row1, instance.row2});
+  return rows;
+}
 
 }  // namespace gridscope

@@ -43,6 +43,7 @@ void readGrid(const FieldReader& field, const GridSettings& settings, GridParame
     if (grid.cellCount[axis] < 1 || grid.cellCount[axis] > 65535) throw Error("grid.cellCount is not from 1 to 65535");
   setGridDefaults(settings, grid);
   describeDerived(field, grid);
+  if (grid.stride != grid.capacity + grid.reserved) throw Error("grid.stride is not capacity + reserved");
 }
 
 Bounds gridBounds(const GridParameters& grid) { return {grid.origin, grid.origin + vec3(grid.cellCount) * grid.cellEdge}; }

@@ -140,10 +140,9 @@ void checkMethod(const CentralEntry& central) {
     throw Error("is said to unpack to " + std::to_string(entry.bytes) + " bytes, more than its " + std::to_string(entry.compressedBytes) + " can hold");
 }
 
-// numpy.savez writes its sizes a second time, in a ZIP64 field of the local header: the one extra field that is taken.
-bool isZip64Copy(const ZipEntry& entry, std::span<const std::byte> local, std::span<const std::byte> extra) {
+// numpy.savez writes an entry's sizes a second time, in a ZIP64 field of the local header: the one extra field that is taken.
+bool isZip64Copy(const ZipEntry& entry, std::span<const std::byte> extra) {
   if (extra.size() != 20 || number(extra, 0, 2) != 1 || number(extra, 2, 2) != 16) return false;
-  if (number(local, 18, 4) != 0xFFFFFFFFu || number(local, 22, 4) != 0xFFFFFFFFu) return false;
   return number(extra, 4, 4) == entry.bytes && number(extra, 8, 4) == 0 && number(extra, 12, 4) == entry.compressedBytes && number(extra, 16, 4) == 0;
 }
 
@@ -155,8 +154,9 @@ uint64_t checkLocal(const FileBytes& file, const CentralEntry& central, uint64_t
   const uint64_t nameBytes = number(local, 26, 2), extraBytes = number(local, 28, 2);
   const auto tail = file.at(central.offset + kLocalBytes, nameBytes + extraBytes);
   const auto name = std::span(tail).first(nameBytes), extra = std::span(tail).subspan(nameBytes);
-  const bool zip64 = extraBytes != 0 && isZip64Copy(entry, local, extra);
-  const bool sizesAgree = zip64 || (number(local, 18, 4) == entry.compressedBytes && number(local, 22, 4) == entry.bytes);
+  const bool zip64 = isZip64Copy(entry, extra);
+  const bool elsewhere = zip64 && number(local, 18, 4) == 0xFFFFFFFFu && number(local, 22, 4) == 0xFFFFFFFFu;
+  const bool sizesAgree = elsewhere || (number(local, 18, 4) == entry.compressedBytes && number(local, 22, 4) == entry.bytes);
   if (number(local, 0, 4) != kLocalSignature || number(local, 6, 2) != central.flags || number(local, 8, 2) != central.method ||
       number(local, 10, 4) != central.time || number(local, 14, 4) != entry.crc || !sizesAgree || nameBytes != entry.name.size() ||
       std::memcmp(name.data(), entry.name.data(), nameBytes) != 0)

@@ -1,6 +1,8 @@
 // See gpu_program.h.
 #include "core/gpu_program.h"
 
+#include <array>
+#include <bit>
 #include <vector>
 
 #include "core/shader_code.h"
@@ -17,11 +19,20 @@ VkDescriptorType bindingType(int binding) {
   return VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
 }
 
-VkPipelineShaderStageCreateInfo stageInfo(VkShaderStageFlagBits stage, VkShaderModule module) {
+// One entry a member, in the members' order.
+const VkSpecializationMapEntry kSpecializationEntries[] = {{0, 0, 4}, {1, 4, 4}, {2, 8, 4}, {3, 12, 4}, {4, 16, 4}};
+static_assert(sizeof(SpecializedSettings) == 4 * std::size(kSpecializationEntries));
+
+VkSpecializationInfo specialization(const SpecializedSettings& settings) {
+  return {uint32_t(std::size(kSpecializationEntries)), kSpecializationEntries, sizeof(SpecializedSettings), &settings};
+}
+
+VkPipelineShaderStageCreateInfo stageInfo(VkShaderStageFlagBits stage, VkShaderModule module, const VkSpecializationInfo& constants) {
   VkPipelineShaderStageCreateInfo info{VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO};
   info.stage = stage;
   info.module = module;
   info.pName = "main";
+  info.pSpecializationInfo = &constants;
   return info;
 }
 
@@ -132,8 +143,7 @@ void GpuPrograms::bindPlaceholders() {
 
 GpuPrograms::~GpuPrograms() {
   for (auto& [stem, program] : programs_) vkDestroyPipeline(gpu_.device(), program.pipeline, nullptr);
-  vkDestroyPipeline(gpu_.device(), buildRaster_, nullptr);
-  vkDestroyPipeline(gpu_.device(), gather_, nullptr);
+  for (auto& [stem, pipeline] : graphics_) vkDestroyPipeline(gpu_.device(), pipeline, nullptr);
   vkDestroySampler(gpu_.device(), placeholderSampler_, nullptr);
   vkDestroyDescriptorPool(gpu_.device(), pool_, nullptr);
   vkDestroyPipelineLayout(gpu_.device(), layout_, nullptr);
@@ -162,6 +172,12 @@ void GpuPrograms::bind(int binding, const GpuImage& image, VkSampler sampler) {
   vkUpdateDescriptorSets(gpu_.device(), 1, &write, 0, nullptr);
 }
 
+std::string GpuPrograms::key(const std::string& stem) const {
+  std::string text = stem;
+  for (uint32_t value : std::bit_cast<std::array<uint32_t, std::size(kSpecializationEntries)>>(specialized_)) text += " " + std::to_string(value);
+  return text;
+}
+
 VkShaderModule GpuPrograms::makeModule(const std::string& stem) {
   std::vector<uint32_t> words = makeExact(shaderCode(stem), gpu_.report().roundingControl);
   VkShaderModuleCreateInfo info{VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO};
@@ -174,7 +190,7 @@ VkShaderModule GpuPrograms::makeModule(const std::string& stem) {
 }
 
 GpuPrograms::Program& GpuPrograms::program(const std::string& stem) {
-  auto found = programs_.find(stem);
+  auto found = programs_.find(key(stem));
   if (found != programs_.end()) return found->second;
   ShaderFacts facts = readFacts(shaderCode(stem));
   Program program;
@@ -183,13 +199,14 @@ GpuPrograms::Program& GpuPrograms::program(const std::string& stem) {
 
   VkShaderModule module = makeModule(stem);
   VkComputePipelineCreateInfo info{VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO};
-  info.stage = stageInfo(VK_SHADER_STAGE_COMPUTE_BIT, module);
+  VkSpecializationInfo constants = specialization(specialized_);
+  info.stage = stageInfo(VK_SHADER_STAGE_COMPUTE_BIT, module, constants);
   info.layout = layout_;
   VkResult result = vkCreateComputePipelines(gpu_.device(), VK_NULL_HANDLE, 1, &info, nullptr, &program.pipeline);
   vkDestroyShaderModule(gpu_.device(), module, nullptr);
   checkVulkan(result, "vkCreateComputePipelines");
   gpu_.name(VK_OBJECT_TYPE_PIPELINE, uint64_t(program.pipeline), stem);
-  return programs_.emplace(stem, program).first->second;
+  return programs_.emplace(key(stem), program).first->second;
 }
 
 bool GpuPrograms::warm(GpuCommands& commands, const std::string& stem) {
@@ -232,24 +249,28 @@ void GpuPrograms::bindGraphics(GpuCommands& commands, VkPipeline pipeline) {
 }
 
 void GpuPrograms::bindBuildRaster(GpuCommands& commands) {
-  if (!buildRaster_) {
+  VkPipeline& pipeline = graphics_[key("build_raster")];
+  if (!pipeline) {
+    VkSpecializationInfo constants = specialization(specialized_);
     VkShaderModule vertex = makeModule("build_raster_vert"), geometry = makeModule("build_raster_geom");
-    VkPipelineShaderStageCreateInfo stages[] = {stageInfo(VK_SHADER_STAGE_VERTEX_BIT, vertex),
-                                                stageInfo(VK_SHADER_STAGE_GEOMETRY_BIT, geometry)};
+    VkPipelineShaderStageCreateInfo stages[] = {stageInfo(VK_SHADER_STAGE_VERTEX_BIT, vertex, constants),
+                                                stageInfo(VK_SHADER_STAGE_GEOMETRY_BIT, geometry, constants)};
     GraphicsState state;
     state.raster.rasterizerDiscardEnable = VK_TRUE;
-    buildRaster_ = state.make(gpu_.device(), layout_, stages);
+    pipeline = state.make(gpu_.device(), layout_, stages);
     vkDestroyShaderModule(gpu_.device(), vertex, nullptr);
     vkDestroyShaderModule(gpu_.device(), geometry, nullptr);
   }
-  bindGraphics(commands, buildRaster_);
+  bindGraphics(commands, pipeline);
 }
 
 void GpuPrograms::bindGather(GpuCommands& commands, VkFormat colour, VkFormat depth, VkExtent2D extent) {
-  if (!gather_) {
+  VkPipeline& pipeline = graphics_[key("gather")];
+  if (!pipeline) {
+    VkSpecializationInfo constants = specialization(specialized_);
     VkShaderModule vertex = makeModule("gather_vert"), fragment = makeModule("gather_frag");
-    VkPipelineShaderStageCreateInfo stages[] = {stageInfo(VK_SHADER_STAGE_VERTEX_BIT, vertex),
-                                                stageInfo(VK_SHADER_STAGE_FRAGMENT_BIT, fragment)};
+    VkPipelineShaderStageCreateInfo stages[] = {stageInfo(VK_SHADER_STAGE_VERTEX_BIT, vertex, constants),
+                                                stageInfo(VK_SHADER_STAGE_FRAGMENT_BIT, fragment, constants)};
     GraphicsState state;
     state.viewport.viewportCount = state.viewport.scissorCount = 1;
     state.dynamic.dynamicStateCount = 2;
@@ -259,11 +280,11 @@ void GpuPrograms::bindGather(GpuCommands& commands, VkFormat colour, VkFormat de
     state.rendering.colorAttachmentCount = 1;
     state.rendering.pColorAttachmentFormats = &colour;
     state.rendering.depthAttachmentFormat = depth;
-    gather_ = state.make(gpu_.device(), layout_, stages);
+    pipeline = state.make(gpu_.device(), layout_, stages);
     vkDestroyShaderModule(gpu_.device(), vertex, nullptr);
     vkDestroyShaderModule(gpu_.device(), fragment, nullptr);
   }
-  bindGraphics(commands, gather_);
+  bindGraphics(commands, pipeline);
   VkViewport viewport{0.0f, 0.0f, float(extent.width), float(extent.height), 0.0f, 1.0f};
   VkRect2D scissor{{0, 0}, extent};
   vkCmdSetViewport(commands.handle(), 0, 1, &viewport);

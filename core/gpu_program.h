@@ -8,6 +8,7 @@
 
 #include "core/gpu_commands.h"
 #include "shaders/shared/bindings.h"
+#include "shaders/shared/parameters.h"
 
 namespace gridscope {
 
@@ -21,6 +22,9 @@ class GpuPrograms {
   // Fills one binding. Until then it holds a placeholder: lavapipe looks at every binding of a set, touched by the pass or not.
   void bind(int binding, const GpuBuffer& buffer);
   void bind(int binding, const GpuImage& image, VkSampler sampler = VK_NULL_HANDLE);
+
+  // Constants that pipelines made or found from now on are specialized for.
+  void specialize(const SpecializedSettings& settings) { specialized_ = settings; }
 
   // Records one workgroup of a pass with zeroed push constants: drivers compile at the first dispatch. True when the pass was cold.
   bool warm(GpuCommands& commands, const std::string& stem);
@@ -44,6 +48,7 @@ class GpuPrograms {
   };
 
   void bindPlaceholders();
+  std::string key(const std::string& stem) const;   // of a pass with the present constants
   VkShaderModule makeModule(const std::string& stem);
   Program& program(const std::string& stem);
   void begin(GpuCommands& commands, const Program& program, const std::string& stem, std::span<const std::byte> arguments);
@@ -57,9 +62,9 @@ class GpuPrograms {
   GpuBuffer placeholder_;
   GpuImage placeholderImages_[3];   // of the three image bindings
   VkSampler placeholderSampler_ = VK_NULL_HANDLE;
-  std::map<std::string, Program, std::less<>> programs_;
-  VkPipeline buildRaster_ = VK_NULL_HANDLE;
-  VkPipeline gather_ = VK_NULL_HANDLE;
+  SpecializedSettings specialized_{};
+  std::map<std::string, Program> programs_;       // by key()
+  std::map<std::string, VkPipeline> graphics_;    // likewise
 };
 
 // The bytes of a structure, for push constants.

@@ -154,6 +154,8 @@ void GpuStages::uploadImages(std::span<const Image> images, uint32_t textureSize
 
 void GpuStages::setParameters(const FrameParameters& parameters) {
   parameters_ = parameters;
+  const GridParameters& grid = parameters.grid;
+  programs_.specialize({grid.overlap, grid.insertion, grid.stretchAxis, grid.reserved, parameters.trace.traversal});
   upload(gpu_, buffers_[kBindParameters], std::span<const FrameParameters>(&parameters, 1));
 }
 

@@ -41,7 +41,7 @@ class HeaderReader {
  public:
   explicit HeaderReader(std::string_view text) : rest_(text) {}
 
-  void read(NpyArray& array) {
+  void read(NpyHeader& array) {
     expect('{');
     while (!take('}')) {
       const std::string_view key = readText();
@@ -144,7 +144,7 @@ uint64_t readLittleEndian(std::span<const std::byte> bytes) {
   return value;
 }
 
-void checkSize(const NpyArray& array, uint64_t present) {
+void checkSize(const NpyHeader& array, uint64_t present) {
   const std::optional<uint64_t> wanted = byteCount(array.type, array.shape);
   if (!wanted) throw Error("the shape " + npyShapeText(array.shape) + " is too large for any file");
   if (*wanted > present) throw Error("ends " + std::to_string(*wanted - present) + " bytes early");
@@ -162,7 +162,9 @@ std::string npyShapeText(std::span<const uint64_t> shape) {
   return text + (shape.size() == 1 ? ",)" : ")");
 }
 
-NpyArray parseNpy(std::span<const std::byte> file) {
+uint64_t npyByteCount(NpyType type, std::span<const uint64_t> shape) { return byteCount(type, shape).value_or(UINT64_MAX); }
+
+NpyHeader parseNpyHeader(std::span<const std::byte> file) {
   // Magic, version, and where the header ends: 2 bytes of length in version 1, 4 in versions 2 and 3.
   if (file.size() < 8 || std::memcmp(file.data(), kMagic.data(), kMagic.size()) != 0) throw Error("is not a .npy file");
   const int version = std::to_integer<int>(file[6]);
@@ -175,12 +177,17 @@ NpyArray parseNpy(std::span<const std::byte> file) {
   if (headerBytes > kMostHeaderBytes) throw Error("has a header of more than 65536 bytes");
   if (headerBytes > file.size() - headerBegin) throw Error("ends within its header");
 
-  NpyArray array;
-  HeaderReader({reinterpret_cast<const char*>(file.data()) + headerBegin, headerBytes}).read(array);
-  const std::span<const std::byte> data = file.subspan(headerBegin + headerBytes);
-  checkSize(array, data.size());
-  array.bytes.assign(data.begin(), data.end());
-  return array;
+  NpyHeader header;
+  HeaderReader({reinterpret_cast<const char*>(file.data()) + headerBegin, headerBytes}).read(header);
+  header.dataOffset = headerBegin + headerBytes;
+  return header;
+}
+
+NpyArray parseNpy(std::span<const std::byte> file) {
+  NpyHeader header = parseNpyHeader(file);
+  const std::span<const std::byte> data = file.subspan(header.dataOffset);
+  checkSize(header, data.size());
+  return {.type = header.type, .shape = std::move(header.shape), .bytes = {data.begin(), data.end()}};
 }
 
 NpyArray readNpy(const std::filesystem::path& file, uint64_t maxBytes) {
@@ -202,11 +209,7 @@ NpyArray readNpy(const std::filesystem::path& file, uint64_t maxBytes) {
   }
 }
 
-std::vector<std::byte> formatNpy(NpyType type, std::span<const uint64_t> shape, std::span<const std::byte> data) {
-  const std::optional<uint64_t> bytes = byteCount(type, shape);
-  CHECK(bytes.has_value());
-  CHECK_EQ(*bytes, data.size());
-
+std::vector<std::byte> formatNpyHeader(NpyType type, std::span<const uint64_t> shape) {
   // The data begins at a multiple of 64 bytes; the header ends with a line feed.
   std::string header = std::string("{'descr': '") + npyTypeName(type) + "', 'fortran_order': False, 'shape': " + npyShapeText(shape) + ", }";
   const size_t prefix = kMagic.size() + 4;
@@ -217,9 +220,17 @@ std::vector<std::byte> formatNpy(NpyType type, std::span<const uint64_t> shape, 
   std::string text(kMagic);
   text += {char(1), char(0), char(header.size() & 255), char(header.size() >> 8)};
   text += header;
-  std::vector<std::byte> file(text.size() + data.size());
-  std::memcpy(file.data(), text.data(), text.size());
-  if (!data.empty()) std::memcpy(file.data() + text.size(), data.data(), data.size());
+  std::vector<std::byte> bytes(text.size());
+  std::memcpy(bytes.data(), text.data(), text.size());
+  return bytes;
+}
+
+std::vector<std::byte> formatNpy(NpyType type, std::span<const uint64_t> shape, std::span<const std::byte> data) {
+  const std::optional<uint64_t> bytes = byteCount(type, shape);
+  CHECK(bytes.has_value());
+  CHECK_EQ(*bytes, data.size());
+  std::vector<std::byte> file = formatNpyHeader(type, shape);
+  file.insert(file.end(), data.begin(), data.end());
   return file;
 }
 

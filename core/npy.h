@@ -48,11 +48,27 @@ struct NpyArray {
   }
 };
 
+// What stands in front of the data.
+struct NpyHeader {
+  NpyType type = NpyType::u1;
+  std::vector<uint64_t> shape;
+  size_t dataOffset = 0;                   // of the first value in the file
+};
+
+// Throws Error as parseNpy(), which it is the first half of; the data may be missing, or be of another size.
+NpyHeader parseNpyHeader(std::span<const std::byte> file);
+
+// Bytes of an array; UINT64_MAX when they do not fit into 64 bits.
+uint64_t npyByteCount(NpyType type, std::span<const uint64_t> shape);
+
 // Throws Error: not a .npy file, a type or an order that is not supported, bytes that do not agree with the shape.
 NpyArray parseNpy(std::span<const std::byte> file);
 
 // The same from a file of at most maxBytes; the Error's message begins with the file's name.
 NpyArray readNpy(const std::filesystem::path& file, uint64_t maxBytes);
+
+// Everything in front of the data of a .npy file (version 1.0).
+std::vector<std::byte> formatNpyHeader(NpyType type, std::span<const uint64_t> shape);
 
 // A whole .npy file (version 1.0). `data` must hold the shape's product of values.
 std::vector<std::byte> formatNpy(NpyType type, std::span<const uint64_t> shape, std::span<const std::byte> data);

@@ -50,9 +50,8 @@ void Pipeline::prepare(std::span<const Image> images) {
   stages_ = std::make_unique<GpuStages>(gpu_, images, numbered_, settings_);
   if (onDevice) stages_->makeGrid(parameters_.grid);
   else cpuWorldTriangles_.resize(numbered_.triangleCount);
-  std::vector<std::string> passes = framePasses(device_);
-  stages_->warm(passes);
   stages_->setParameters(parameters_);
+  stages_->warm(framePasses(device_));
 }
 
 Pipeline::~Pipeline() = default;

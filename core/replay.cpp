@@ -5,7 +5,7 @@
 #include <memory>
 #include <set>
 
-#include "core/capture_frame.h"
+#include "core/frame_capture.h"
 #include "core/compare.h"
 #include "core/cpu_stages.h"
 #include "core/self_test.h"

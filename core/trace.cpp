@@ -64,7 +64,7 @@ Hit traceBruteForce(const TraceInput& input, const Ray& ray) {
       bestReference = makeReference(i, k);
     }
   }
-  return bestReference == kBlank ? trace.missedHit(kHitMiss) : trace.triangleHit(ray, best, bestReference);
+  return bestReference == kBlank ? trace.missedHit(kHitMiss) : trace.finishHit(ray, trace.makeHit(kHitTriangle, best, bestReference));
 }
 
 }  // namespace gridscope

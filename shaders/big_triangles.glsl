@@ -14,15 +14,15 @@ int bigClassOf(uint cellCount) {
 void appendBig(uint worldTriangle, uint cellCount) {
   int bigClass = bigClassOf(cellCount);
   uint place = atomicAdd(bigDispatch.counts[bigClass], 1u);
-  bigTriangles[uint(bigClass) * parameters.grid.triangleCount + place] = worldTriangle;
+  bigTriangles[uint(bigClass) * gridParameters().triangleCount + place] = worldTriangle;
 }
 
-bool isBig(uint cellCount) { return cellCount > min(kSmallCells, parameters.grid.cellsPerInvocation); }
+bool isBig(uint cellCount) { return cellCount > min(kSmallCells, gridParameters().cellsPerInvocation); }
 
 // Offers a triangle to its cells, or appends it to a list. Counts what the box asks for.
 void insertOrAppend(Triangle triangle, uint reference, uint worldTriangle, inout BuildReport report) {
   bool degenerate = triangleDegenerate(triangleNormal(triangle));
-  CellRange range = triangleCells(parameters.grid, triangle);
+  CellRange range = triangleCells(gridParameters(), triangle);
 #if OPERATION != OPERATION_MARK
   report.degenerate += degenerate ? 1u : 0u;
   report.outside += range.clipped && !degenerate ? 1u : 0u;

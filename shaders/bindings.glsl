@@ -18,6 +18,28 @@ layout(scalar, set = 0, binding = kBindAlphaBytes) readonly buffer AlphaBytesBuf
 #endif
 layout(scalar, set = 0, binding = kBindWorldTriangles) WRITES_WORLD_TRIANGLES buffer WorldTrianglesBuffer { Triangle worldTriangles[]; };
 
+// SpecializedSettings.
+layout(constant_id = 0) const uint kSpecializedOverlap = 0u;
+layout(constant_id = 1) const uint kSpecializedInsertion = 0u;
+layout(constant_id = 2) const int kSpecializedStretchAxis = 0;
+layout(constant_id = 3) const int kSpecializedReserved = 2;
+layout(constant_id = 4) const uint kSpecializedTraversal = 0u;
+
+GridParameters gridParameters() {
+  GridParameters grid = parameters.grid;
+  grid.overlap = kSpecializedOverlap;
+  grid.insertion = kSpecializedInsertion;
+  grid.stretchAxis = kSpecializedStretchAxis;
+  grid.reserved = kSpecializedReserved;
+  return grid;
+}
+
+TraceParameters traceParameters() {
+  TraceParameters trace = parameters.trace;
+  trace.traversal = kSpecializedTraversal;
+  return trace;
+}
+
 Instance loadInstance(uint instance) { return instances[instance]; }
 TraceMaterial loadMaterial(uint material) { return materials[material]; }
 vec2 loadUv(uint objectTriangle, uint corner) { return corners[3u * objectTriangle + corner].uv; }

@@ -9,7 +9,7 @@ layout(local_size_x = 8, local_size_y = 4, local_size_z = 4) in;
 
 void main() {
   ivec3 texel = ivec3(gl_GlobalInvocationID);
-  GridParameters grid = parameters.grid;
+  GridParameters grid = gridParameters();
   if (any(greaterThanEqual(texel, gridTexelCount(grid)))) return;
   int slot = texel[grid.stretchAxis] % grid.stride;
   imageStore(gridImage, texel, uvec4(slot < grid.capacity ? kBlank : 0u));

@@ -15,11 +15,11 @@ void main() {
   BuildReport report = emptyReport();
   uint entry = gl_WorkGroupID.z * gl_NumWorkGroups.y + gl_WorkGroupID.y;
   if (entry < bigDispatch.counts[arguments.bigClass]) {
-    uint worldTriangle = bigTriangles[arguments.bigClass * parameters.grid.triangleCount + entry];
+    uint worldTriangle = bigTriangles[arguments.bigClass * gridParameters().triangleCount + entry];
     uint instance = findInstance(worldTriangle);
     uint reference = makeReference(instance, worldTriangle - instances[instance].firstWorldTriangle);
     Triangle triangle = worldTriangles[worldTriangle];
-    CellRange range = triangleCells(parameters.grid, triangle);
+    CellRange range = triangleCells(gridParameters(), triangle);
 
     // This invocation's run of the cells.
     uint cellCount = cellRangeCount(range);

@@ -13,7 +13,7 @@ uint slotSwap(ivec3 texel, uint expect, uint value) { return imageAtomicCompSwap
 void slotCount(ivec3 texel) { imageAtomicAdd(gridImage, texel, 1u); }
 
 uint cellIndex(ivec3 cell) {
-  ivec3 count = parameters.grid.cellCount;
+  ivec3 count = gridParameters().cellCount;
   return uint((cell.z * count.y + cell.y) * count.x + cell.x);
 }
 
@@ -31,10 +31,10 @@ void walkCells(Triangle triangle, uint reference, CellRange range, uvec2 part, i
   for (uint index = part.x; index < part.y; ++index) {
     ivec3 cell = cellRangeCell(range, index);
     report.cellsWalked += 1u;
-    if (cellTakesTriangle(parameters.grid, triangle, normal, cell)) atomicOr(cellMarks[cellIndex(cell)], kCellTouched);
+    if (cellTakesTriangle(gridParameters(), triangle, normal, cell)) atomicOr(cellMarks[cellIndex(cell)], kCellTouched);
   }
 #else
-  insertTriangle(parameters.grid, triangle, reference, range, part, report);
+  insertTriangle(gridParameters(), triangle, reference, range, part, report);
 #endif
 }
 

@@ -11,7 +11,7 @@ layout(local_size_x = 4, local_size_y = 4, local_size_z = 4) in;
 
 void main() {
   ivec3 cell = ivec3(gl_GlobalInvocationID);
-  GridParameters grid = parameters.grid;
+  GridParameters grid = gridParameters();
   if (!gridContains(grid, cell)) return;
   uint firstDynamic = firstDynamicReference(grid);
   uint fixedCount = 0u;

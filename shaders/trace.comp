@@ -33,7 +33,7 @@ void main() {
   if (arguments.continues != 0u) counted = counters[index];
 #endif
 
-  Hit hit = traceRay(parameters.grid, parameters.trace, rays[index], state);
+  Hit hit = traceRay(gridParameters(), traceParameters(), rays[index], state);
 
   hits[index] = hit;
   if (hit.kind == kHitUnfinished) {

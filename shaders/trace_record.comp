@@ -37,6 +37,6 @@ layout(local_size_x = 1) in;
 void main() {
   TraceState state = traceBegin();
   if (arguments.continues != 0u) state = header.state;
-  header.hit = traceRay(parameters.grid, parameters.trace, rays[arguments.firstRay], state);
+  header.hit = traceRay(gridParameters(), traceParameters(), rays[arguments.firstRay], state);
   header.state = state;
 }

@@ -13,7 +13,7 @@ ViewElement viewElement(uint pixel) {
   GatherPixel seen = gatherPixels[pixel];
   if (seen.reference == kBlank) return noElement();
   ivec3 cell = surfaceCell(seen);
-  if (!gridContains(parameters.grid, cell)) return noElement();
+  if (!gridContains(gridParameters(), cell)) return noElement();
   return paintedElement(occupancyElement(cell), seen);
 }
 #endif

@@ -13,7 +13,7 @@ ViewElement viewElement(uint pixel) {
   GatherPixel seen = gatherPixels[pixel];
   if (seen.reference == kBlank) return noElement();
   ivec3 cell = surfaceCell(seen);
-  if (!gridContains(parameters.grid, cell)) return noElement();
+  if (!gridContains(gridParameters(), cell)) return noElement();
   uint refused = cellRefused(cell, cellStored(cell));
   if (refused == 0u) return paintedElement(colourElement(unpackColour(kColourLine)), seen);
   return paintedElement(markedElement(float(refused)), seen);

@@ -10,8 +10,8 @@
  .marks = "saturated"},
 #else
 ViewElement viewElement(uint element) {
-  ivec3 cell = sliceCell(parameters.grid.cellCount, parameters.view.sliceAxis, parameters.view.sliceIndex, element);
-  if (!gridContains(parameters.grid, cell)) return noElement();
+  ivec3 cell = sliceCell(gridParameters().cellCount, parameters.view.sliceAxis, parameters.view.sliceIndex, element);
+  if (!gridContains(gridParameters(), cell)) return noElement();
   ViewElement shown = occupancyElement(cell);
   return shown.kind == kElementValue && uintBitsToFloat(shown.payload) == 0.0 ? litElement(shown, 0.3) : shown;
 }

@@ -44,6 +44,15 @@ struct GridParameters {
   uint cellsPerInvocation;    // most cells that one invocation may walk (the device's loop budget)
 };
 
+// Settings that branch inside loops. Shaders take them as specialization constants, in this order: drivers then leave the other branch out.
+struct SpecializedSettings {
+  uint overlap;
+  uint insertion;
+  int stretchAxis;
+  int reserved;
+  uint traversal;
+};
+
 // What the trace needs. Lengths in world units where not said otherwise.
 struct TraceParameters {
   float tMin;                 // hits nearer than this along the ray are not seen

@@ -12,7 +12,10 @@
 #ifndef ON_SEGMENT
 #define ON_SEGMENT(segment, start, cell, outcome)
 #endif
-#ifndef ON_TEST
+#ifdef ON_TEST
+#define TESTS_WATCHED true
+#else
+#define TESTS_WATCHED false
 #define ON_TEST(slot, reference, test, alphaByte)
 #endif
 #ifndef ON_CELL
@@ -30,50 +33,40 @@ struct CellHit {
   bool cut;            // the loop ended without a reason
 };
 
-SHARED Hit missedHit(uint kind) {
+SHARED Hit makeHit(uint kind, float t, uint reference) {
   Hit hit;
   hit.kind = kind;
-  hit.t = 0.0f;
-  hit.reference = kBlank;
+  hit.t = t;
+  hit.reference = reference;
   hit.u = 0.0f;
   hit.v = 0.0f;
   return hit;
 }
 
+SHARED Hit missedHit(uint kind) { return makeHit(kind, 0.0f, kBlank); }
+
 SHARED Triangle loadReferenced(uint reference) {
   return loadWorldTriangle(loadInstance(referenceInstance(reference)).firstWorldTriangle + referenceTriangle(reference));
 }
 
-SHARED Hit triangleHit(Ray ray, float t, uint reference) {
-  vec2 weights = barycentrics(loadReferenced(reference), rayPoint(ray, t));
-  Hit hit;
-  hit.kind = kHitTriangle;
-  hit.t = t;
-  hit.reference = reference;
+// Adds the barycentrics. Behind the loops, not in them: a group of invocations that run together pays for it once.
+SHARED Hit finishHit(Ray ray, Hit hit) {
+  if (hit.kind != kHitTriangle && hit.kind != kHitVoxel) return hit;
+  Triangle triangle = loadReferenced(hit.reference);
+  vec3 point = rayPoint(ray, hit.t);
+  vec2 weights = hit.kind == kHitVoxel ? clampedBarycentrics(triangle, point) : barycentrics(triangle, point);
   hit.u = weights.x;
   hit.v = weights.y;
   return hit;
 }
 
-SHARED Hit voxelHit(Ray ray, float t, uint reference) {
-  vec2 weights = clampedBarycentrics(loadReferenced(reference), rayPoint(ray, t));
-  Hit hit;
-  hit.kind = kHitVoxel;
-  hit.t = t;
-  hit.reference = reference;
-  hit.u = weights.x;
-  hit.v = weights.y;
-  return hit;
-}
-
-// Tests every reference of a cell, whose first is `reference`, and keeps the nearest of `best` and the hits within [low, high]. Of
-// equal distances the smaller reference wins.
-SHARED CellHit queryCell(GridParameters grid, Ray ray, ivec3 cell, uint reference, CellHit best, vec2 window) {
-  ivec3 texel = gridTexel(grid, cell, 0);
+// Tests every reference of a cell and keeps the nearest of `best` and the hits within `window` (low, high). Of equal distances the
+// smaller reference wins. keyed: alpha may turn hits down.
+SHARED CellHit testCell(GridParameters grid, Ray ray, ivec3 cell, CellHit best, vec2 window, bool keyed) {
+  uint reference = kBlank;
   int slot = 0;
   for (; slot < grid.capacity; ++slot) {
-    texel[grid.stretchAxis] = cell[grid.stretchAxis] * grid.stride + slot;
-    reference = slotLoad(texel);
+    reference = slotLoad(gridTexel(grid, cell, slot));
     if (reference == kBlank) break;
 
     Triangle triangle = loadReferenced(reference);
@@ -82,7 +75,7 @@ SHARED CellHit queryCell(GridParameters grid, Ray ray, ivec3 cell, uint referenc
     if (test.verdict == kTestHit) {
       if (test.t > best.t || (test.t == best.t && reference > best.reference)) {
         test.verdict = kTestFarther;
-      } else if (!alphaPasses(reference, triangle, rayPoint(ray, test.t), alphaByte)) {
+      } else if (keyed && !alphaPasses(reference, triangle, rayPoint(ray, test.t), alphaByte)) {
         test.verdict = kTestAlpha;
       } else {
         best.t = test.t;
@@ -95,6 +88,22 @@ SHARED CellHit queryCell(GridParameters grid, Ray ray, ivec3 cell, uint referenc
   best.stored = slot;
   best.cut = slot < grid.capacity && reference != kBlank;
   return best;
+}
+
+// The same with alpha keying. What alpha keying loads stays out of the first loop: only where the nearest triangle is keyed, all are tested
+// again with it. Where tests are watched, once is enough.
+SHARED CellHit queryCell(GridParameters grid, Ray ray, ivec3 cell, CellHit best, vec2 window) {
+  bool keyed = TESTS_WATCHED;
+  CellHit nearest = best;
+  if (!TESTS_WATCHED) {
+    nearest = testCell(grid, ray, cell, best, window, false);
+    if (nearest.reference != best.reference) {
+      uint material = loadInstance(referenceInstance(nearest.reference)).material;
+      keyed = (loadMaterial(material).flags & kMaterialAlphaKeyed) != 0u;
+    }
+  }
+  if (keyed) nearest = testCell(grid, ray, cell, best, window, true);
+  return nearest;
 }
 
 // Did the cell refuse references? Only a full one can have.
@@ -147,6 +156,54 @@ SHARED TraceState traceBegin() {
   return state;
 }
 
+// A segment whose cell has references, or why there is none.
+struct FoundSegment {
+  uint kind;    // kHitTriangle: found; otherwise how the ray ends, or kHitUnfinished after `most` segments
+  float start;  // along the ray
+};
+
+// Takes segments until one starts in a cell that holds references: most are empty, and cost one read.
+SHARED FoundSegment nextSegment(GridParameters grid, TraceParameters trace, Ray ray, ivec2 span, INOUT(TraceState) state, INOUT(uint) taken) {
+  FoundSegment found;
+  found.kind = kHitUnfinished;
+  found.start = 0.0f;
+  while (taken < trace.segmentsPerPass) {
+    taken += 1u;
+    int segment = state.segment;
+    if (uint(segment - span.x) >= trace.maxSegments) {
+      found.kind = kHitLimit;
+      return found;
+    }
+    state.segment = segment + 1;
+
+    // The cell that holds the segment's start. Once inside, the first start outside ends the ray.
+    found.start = float(segment) * grid.cellEdge;
+    ivec3 cell = gridCell(grid, rayPoint(ray, found.start));
+    if (!gridContains(grid, cell)) {
+      ON_SEGMENT(segment, found.start, cell, kStepOutside);
+      if (segment <= span.y) continue;
+      found.kind = kHitMiss;
+      return found;
+    }
+
+    // Skip the cell visited last.
+    if (cell == state.cell) {
+      ON_SEGMENT(segment, found.start, cell, kStepRevisit);
+      continue;
+    }
+    state.cell = cell;
+    if (slotLoad(gridTexel(grid, cell, 0)) == kBlank) {
+      ON_SEGMENT(segment, found.start, cell, kStepEmpty);
+      continue;
+    }
+    ON_SEGMENT(segment, found.start, cell, kStepRead);
+    found.kind = kHitTriangle;
+    return found;
+  }
+  if (taken != trace.segmentsPerPass) found.kind = kHitCut;
+  return found;
+}
+
 // Takes at most segmentsPerPass segments; returns kHitUnfinished, with `state` saying where to go on, when there are more.
 SHARED Hit traceSegments(GridParameters grid, TraceParameters trace, Ray ray, INOUT(TraceState) state) {
   ivec2 span = segmentSpan(grid, ray);
@@ -155,52 +212,26 @@ SHARED Hit traceSegments(GridParameters grid, TraceParameters trace, Ray ray, IN
   float climb = dotExact(ray.direction, ray.launchNormal);
 
   uint taken = 0u;
-  for (; taken < trace.segmentsPerPass; ++taken) {
-    int segment = state.segment;
-    if (uint(segment - span.x) >= trace.maxSegments) return missedHit(kHitLimit);
-    state.segment = segment + 1;
+  while (taken <= trace.segmentsPerPass) {
+    FoundSegment found = nextSegment(grid, trace, ray, span, state, taken);
+    if (found.kind != kHitTriangle) return missedHit(found.kind);
 
-    // The cell that holds the segment's start. Once inside, the first start outside ends the ray.
-    float start = float(segment) * grid.cellEdge;
-    ivec3 cell = gridCell(grid, rayPoint(ray, start));
-    if (!gridContains(grid, cell)) {
-      ON_SEGMENT(segment, start, cell, kStepOutside);
-      if (segment > span.y) return missedHit(kHitMiss);
-      continue;
-    }
-
-    // Skip the cell visited last.
-    if (cell == state.cell) {
-      ON_SEGMENT(segment, start, cell, kStepRevisit);
-      continue;
-    }
-    state.cell = cell;
-
-    // Most cells are empty: one read.
-    uint reference = slotLoad(gridTexel(grid, cell, 0));
-    if (reference == kBlank) {
-      ON_SEGMENT(segment, start, cell, kStepEmpty);
-      continue;
-    }
-    ON_SEGMENT(segment, start, cell, kStepRead);
-
-    // Test all its references against the elongated segment.
+    // Test the cell's references against the elongated segment.
     CellHit best;
     best.t = kFar;
     best.reference = kBlank;
-    vec2 window = vec2(max(trace.tMin, start - trace.back), start + trace.ahead);
-    best = queryCell(grid, ray, cell, reference, best, window);
+    best = queryCell(grid, ray, state.cell, best, vec2(max(trace.tMin, found.start - trace.back), found.start + trace.ahead));
     if (best.cut) return missedHit(kHitCut);
 
     // A saturated cell without a hit may have lost the triangle: fill the gap, once the launching surface's cells are left behind.
-    bool saturated = cellSaturated(grid, cell, best.stored);
-    float travel = start * climb;
+    bool saturated = cellSaturated(grid, state.cell, best.stored);
+    float travel = found.start * climb;
     ON_CELL(best.stored, saturated, travel);
-    if (best.reference != kBlank) return triangleHit(ray, best.t, best.reference);
+    if (best.reference != kBlank) return makeHit(kHitTriangle, best.t, best.reference);
     if (saturated && trace.gapFill != 0u && travel > trace.gate)
-      return voxelHit(ray, start + 0.5f * grid.cellEdge, best.lastReference);
+      return makeHit(kHitVoxel, found.start + 0.5f * grid.cellEdge, best.lastReference);
   }
-  return missedHit(taken == trace.segmentsPerPass ? kHitUnfinished : kHitCut);
+  return missedHit(kHitCut);
 }
 
 // Parameter at which the ray leaves a cell along one axis; kFar when it runs across that axis.
@@ -225,6 +256,43 @@ SHARED bool beginWalk(GridParameters grid, Ray ray, INOUT(TraceState) state) {
   return true;
 }
 
+// Where the ray leaves a cell, and through which axis' face.
+SHARED float leaveCell(GridParameters grid, Ray ray, ivec3 cell, vec3 inverse, OUT(int) axis) {
+  float x = cellExit(grid, ray, 0, cell.x, inverse.x);
+  float y = cellExit(grid, ray, 1, cell.y, inverse.y);
+  float z = cellExit(grid, ray, 2, cell.z, inverse.z);
+  axis = x <= y ? (x <= z ? 0 : 2) : (y <= z ? 1 : 2);
+  return axis == 0 ? x : axis == 1 ? y : z;
+}
+
+SHARED void enterNext(Ray ray, int axis, float leave, INOUT(TraceState) state) {
+  state.cell[axis] = state.cell[axis] + (ray.direction[axis] > 0.0f ? 1 : -1);
+  state.enter = max(leave, 0.0f);
+  state.segment = state.segment + 1;
+}
+
+// Walks until a cell holds references: kHitTriangle. Otherwise how the walk ends (kHitMiss also when it has passed the nearest hit), or
+// kHitUnfinished after segmentsPerPass cells.
+SHARED uint nextCell(GridParameters grid, TraceParameters trace, Ray ray, vec3 inverse, INOUT(TraceState) state, INOUT(uint) taken) {
+  while (taken < trace.segmentsPerPass) {
+    taken += 1u;
+    if (!gridContains(grid, state.cell) || (state.reference != kBlank && state.t <= state.enter)) {
+      if (!gridContains(grid, state.cell)) { ON_SEGMENT(state.segment, state.enter, state.cell, kStepOutside); }
+      return kHitMiss;
+    }
+    if (uint(state.segment) >= trace.maxSegments) return kHitLimit;
+    if (slotLoad(gridTexel(grid, state.cell, 0)) != kBlank) {
+      ON_SEGMENT(state.segment, state.enter, state.cell, kStepRead);
+      return kHitTriangle;
+    }
+    ON_SEGMENT(state.segment, state.enter, state.cell, kStepEmpty);
+    int axis;
+    float leave = leaveCell(grid, ray, state.cell, inverse, axis);
+    enterNext(ray, axis, leave, state);
+  }
+  return taken == trace.segmentsPerPass ? kHitUnfinished : kHitCut;
+}
+
 // Visits every cell the ray pierces, keeps the nearest hit of all their references and ends when the walk has passed it: accepting hits
 // inside the cell alone would open cracks at cell faces, where floors and walls lie.
 SHARED Hit traceCells(GridParameters grid, TraceParameters trace, Ray ray, INOUT(TraceState) state) {
@@ -233,57 +301,40 @@ SHARED Hit traceCells(GridParameters grid, TraceParameters trace, Ray ray, INOUT
   float climb = dotExact(ray.direction, ray.launchNormal);
 
   uint taken = 0u;
-  for (; taken < trace.segmentsPerPass; ++taken) {
-    ivec3 cell = state.cell;
-    if (!gridContains(grid, cell)) {
-      ON_SEGMENT(state.segment, state.enter, cell, kStepOutside);
-      if (state.reference != kBlank) return triangleHit(ray, state.t, state.reference);
-      return missedHit(kHitMiss);
-    }
-    if (uint(state.segment) >= trace.maxSegments) return missedHit(kHitLimit);
+  while (taken <= trace.segmentsPerPass) {
+    uint found = nextCell(grid, trace, ray, inverse, state, taken);
+    if (found == kHitMiss && state.reference != kBlank) return makeHit(kHitTriangle, state.t, state.reference);
+    if (found != kHitTriangle) return missedHit(found);
 
-    // Where the ray leaves the cell, and through which face.
-    vec3 exits = vec3(cellExit(grid, ray, 0, cell.x, inverse.x), cellExit(grid, ray, 1, cell.y, inverse.y),
-                      cellExit(grid, ray, 2, cell.z, inverse.z));
-    int axis = exits.x <= exits.y ? (exits.x <= exits.z ? 0 : 2) : (exits.y <= exits.z ? 1 : 2);
-    float leave = exits[axis];
+    CellHit best;
+    best.t = state.t;
+    best.reference = state.reference;
+    best = queryCell(grid, ray, state.cell, best, vec2(trace.tMin, kFar));
+    if (best.cut) return missedHit(kHitCut);
+    state.t = best.t;
+    state.reference = best.reference;
 
-    uint reference = slotLoad(gridTexel(grid, cell, 0));
-    if (reference == kBlank) {
-      ON_SEGMENT(state.segment, state.enter, cell, kStepEmpty);
-    } else {
-      ON_SEGMENT(state.segment, state.enter, cell, kStepRead);
-      CellHit best;
-      best.t = state.t;
-      best.reference = state.reference;
-      best = queryCell(grid, ray, cell, reference, best, vec2(trace.tMin, kFar));
-      if (best.cut) return missedHit(kHitCut);
-      state.t = best.t;
-      state.reference = best.reference;
-
-      // As for segments; the gate compares where the ray entered.
-      bool saturated = cellSaturated(grid, cell, best.stored);
-      float travel = state.enter * climb;
-      ON_CELL(best.stored, saturated, travel);
-      if (saturated && best.reference == kBlank && trace.gapFill != 0u && travel > trace.gate)
-        return voxelHit(ray, 0.5f * (state.enter + leave), best.lastReference);
-    }
-    if (state.reference != kBlank && state.t <= leave) return triangleHit(ray, state.t, state.reference);
-
-    // Step through that face.
-    state.cell[axis] = cell[axis] + (ray.direction[axis] > 0.0f ? 1 : -1);
-    state.enter = max(leave, 0.0f);
-    state.segment = state.segment + 1;
+    // As for segments; the gate compares where the ray entered.
+    bool saturated = cellSaturated(grid, state.cell, best.stored);
+    float travel = state.enter * climb;
+    ON_CELL(best.stored, saturated, travel);
+    int axis;
+    float leave = leaveCell(grid, ray, state.cell, inverse, axis);
+    if (saturated && best.reference == kBlank && trace.gapFill != 0u && travel > trace.gate)
+      return makeHit(kHitVoxel, 0.5f * (state.enter + leave), best.lastReference);
+    if (state.reference != kBlank && state.t <= leave) return makeHit(kHitTriangle, state.t, state.reference);
+    enterNext(ray, axis, leave, state);
   }
-  return missedHit(taken == trace.segmentsPerPass ? kHitUnfinished : kHitCut);
+  return missedHit(kHitCut);
 }
 
 SHARED Hit traceRay(GridParameters grid, TraceParameters trace, Ray ray, INOUT(TraceState) state) {
   if (ray.valid == 0u) return missedHit(kHitNoRay);
-  if (trace.traversal == kTraversalDda) return traceCells(grid, trace, ray, state);
-  return traceSegments(grid, trace, ray, state);
+  if (trace.traversal == kTraversalDda) return finishHit(ray, traceCells(grid, trace, ray, state));
+  return finishHit(ray, traceSegments(grid, trace, ray, state));
 }
 
 #undef ON_SEGMENT
 #undef ON_TEST
 #undef ON_CELL
+#undef TESTS_WATCHED

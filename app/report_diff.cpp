@@ -1,0 +1,47 @@
+// See report_diff.h.
+#include "app/report_diff.h"
+
+#include "app/text.h"
+
+namespace gridscope {
+
+static std::string cellsText(const CellDifferences& cells) {
+  return printed("%s of %s cells: %s in A alone, %s in B alone, %s with other references, %s with other refusals; the first: ", grouped(cells.different()).c_str(),
+                 grouped(cells.total).c_str(), grouped(cells.onlyA).c_str(), grouped(cells.onlyB).c_str(), grouped(cells.otherReferences).c_str(),
+                 grouped(cells.otherRefused).c_str()) + cells.first;
+}
+
+static std::string hitsText(const HitDifferences& hits) {
+  return printed("%s of %s hits: %s of another kind, %s on another triangle, %s at another distance; the first: ", grouped(hits.different()).c_str(),
+                 grouped(hits.total).c_str(), grouped(hits.otherKind).c_str(), grouped(hits.otherTriangle).c_str(), grouped(hits.otherDistance).c_str()) + hits.first;
+}
+
+std::vector<std::string> differenceLines(const CaptureDifferences& differences) {
+  std::vector<std::string> lines;
+  for (const SettingDifference& setting : differences.settings) lines.push_back(setting.name + ": A " + setting.a + ", B " + setting.b);
+  for (const std::string& line : differences.notCompared)
+    if (!line.ends_with("in neither")) lines.push_back(line);
+  for (const FrameDifferences& frame : differences.frames) {
+    const std::string which = differences.frames.size() > 1 ? printed("frame %zu, ", frame.frame) : "";
+    if (frame.cells.different() > 0) lines.push_back(which + cellsText(frame.cells));
+    if (!frame.rays.equal()) lines.push_back(which + "rays: " + frame.rays.text());
+    if (frame.hits.different() > 0) lines.push_back(which + hitsText(frame.hits));
+    if (!frame.counters.equal()) lines.push_back(which + "counters: " + frame.counters.text());
+  }
+  return lines;
+}
+
+nlohmann::ordered_json differencesJson(const CaptureDifferences& differences) {
+  using Json = nlohmann::ordered_json;
+  Json json = {{"equal", differences.equal()}, {"settings", Json::array()}, {"notCompared", differences.notCompared}, {"frames", Json::array()}};
+  for (const SettingDifference& setting : differences.settings) json["settings"].push_back({{"name", setting.name}, {"a", setting.a}, {"b", setting.b}});
+  for (const FrameDifferences& frame : differences.frames)
+    json["frames"].push_back(
+        {{"cells", {{"onlyA", frame.cells.onlyA}, {"onlyB", frame.cells.onlyB}, {"otherReferences", frame.cells.otherReferences}, {"otherRefused", frame.cells.otherRefused}, {"total", frame.cells.total}, {"first", frame.cells.first}}},
+         {"hits", {{"otherKind", frame.hits.otherKind}, {"otherTriangle", frame.hits.otherTriangle}, {"otherDistance", frame.hits.otherDistance}, {"total", frame.hits.total}, {"first", frame.hits.first}}},
+         {"rays", {{"different", frame.rays.different}, {"total", frame.rays.total}}},
+         {"counters", {{"different", frame.counters.different}, {"total", frame.counters.total}, {"first", frame.counters.first}}}});
+  return json;
+}
+
+}  // namespace gridscope
