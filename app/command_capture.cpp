@@ -74,7 +74,7 @@ int runCapture(const Options& options) {
 
   const uint64_t bytes = std::filesystem::file_size(file);
   std::fprintf(textStream(options), "%s: %zu frame%s of %s, %s, written in %.0f ms\n", file.string().c_str(), capture.frames.size(),
-               capture.frames.size() == 1 ? "" : "s", capture.names.scene.c_str(), byteText(bytes).c_str(), writeMs);
+               capture.frames.size() == 1 ? "" : "s", session.scene().name.c_str(), byteText(bytes).c_str(), writeMs);
   writeJson(options, {{"file", file.string()}, {"frames", capture.frames.size()}, {"bytes", bytes}, {"writeMs", writeMs},
                       {"scene", sceneJson(session)}, {"grid", gridJson(capture.grid)}, {"device", session.deviceName()}});
   return session.validationMessages() > 0 ? kExitDifferent : kExitDone;

@@ -17,15 +17,19 @@ std::vector<std::string> differences(const ReplayReport& report) {
   for (const auto& [name, product] : report["products"].items()) {
     if (!product["equal"]) lines.push_back(printed("%s: %s of %s differ; the first: ", name.c_str(), grouped(product["different"].get<uint64_t>()).c_str(),
                                                    grouped(product["total"].get<uint64_t>()).c_str()) + product["first"].get<std::string>());
-    if (product.value("distinct", 1u) > 1) lines.push_back(printed("%s: %u distinct results", name.c_str(), product["distinct"].get<uint32_t>()));
+    if (product.value("distinct", 1u) > 1) lines.push_back(printed("%s: %u distinct results in %u runs", name.c_str(), product["distinct"].get<uint32_t>(), report.value("runs", 1u)));
   }
   return lines;
 }
 
 std::string comparedText(const ReplayReport& report) {
   std::vector<std::string> parts;
-  for (const auto& [name, product] : report["products"].items()) parts.push_back(grouped(product["total"].get<uint64_t>()) + " " + name);
-  return joined(parts, ", ");
+  for (const auto& [name, product] : report["products"].items()) {
+    const uint64_t total = product["total"];
+    parts.push_back((total > 0 ? grouped(total) + " " : "") + name);
+  }
+  const uint32_t runs = report.value("runs", 1u);
+  return joined(parts, ", ") + (runs > 1 ? printed(" in %u runs", runs) : "");
 }
 
 // A line a file. What gives no verdict is a fault, and goes where faults go.

@@ -48,6 +48,7 @@ ReplayReport replayFile(const fs::path& file, const Options& options, GpuContext
     result.reason = error.what();
   }
   ReplayReport report = reportOf(file, result);
+  report["runs"] = captures.repeat;
   report["pictures"] = pictures;
   return report;
 }

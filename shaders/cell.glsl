@@ -22,8 +22,24 @@ ViewElement occupancyElement(ivec3 cell) {
   return cellRefused(cell, storedCount) != 0u ? markedElement(value) : valueElement(value);
 }
 
-// The cell of the surface seen at a pixel. A surface may lie on a cell's face: the point is moved into the surface by a thousandth of
-// a cell, so that rounding does not decide.
+bool cellHolds(ivec3 cell, uint reference) {
+  for (int slot = 0; slot < gridParameters().capacity; ++slot) {
+    uint held = slotLoad(gridTexel(gridParameters(), cell, slot));
+    if (held == reference) return true;
+    if (held == kBlank) return false;
+  }
+  return false;
+}
+
+// The cell of a surface point. On a cell's face, where floors and walls like to lie, rounding decides which of the two neighbours holds the
+// triangle: of the point's own cell and those a hair behind and before the surface, the first that holds it; its own when none does.
 ivec3 surfaceCell(GatherPixel surface) {
-  return gridCell(gridParameters(), surface.position - surface.geometricNormal * (1e-3 * gridParameters().cellEdge));
+  vec3 hair = surface.geometricNormal * (1e-3 * gridParameters().cellEdge);
+  ivec3 own = gridCell(gridParameters(), surface.position);
+  ivec3 cell = own;
+  for (int side = 0; side < 3; ++side) {
+    if (gridContains(gridParameters(), cell) && cellHolds(cell, surface.reference)) return cell;
+    cell = gridCell(gridParameters(), side == 0 ? surface.position - hair : surface.position + hair);
+  }
+  return own;
 }

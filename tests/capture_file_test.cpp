@@ -265,6 +265,50 @@ TEST(CaptureFile, ThePythonExampleOpensForEveryNumberOfReservedTexels) {
   }
 }
 
+// The blocks of Python in FORMAT.md, in a folder of their own: the first writes one.gridcap, the second changes old.gridcap.
+std::vector<std::string> formatExamples() {
+  std::ifstream stream(sourceFolder() / "captures/FORMAT.md");
+  const std::string text{std::istreambuf_iterator<char>(stream), {}};
+  const std::string open = "```python\n", close = "```";
+  std::vector<std::string> examples;
+  for (size_t begin = text.find(open); begin != std::string::npos; begin = text.find(open, begin + 1))
+    examples.push_back(text.substr(begin + open.size(), text.find(close, begin + open.size()) - begin - open.size()));
+  return examples;
+}
+
+TEST(CaptureFile, TheExamplesOfTheFormatRun) {
+  if (python().empty()) GTEST_SKIP() << "no numpy";
+  const std::vector<std::string> examples = formatExamples();
+  ASSERT_EQ(examples.size(), 2u);
+  const fs::path folder = temporary("examples");
+  fs::create_directory(folder);
+  for (size_t i = 0; i < 2; ++i) std::ofstream(folder / ("example" + std::to_string(i) + ".py")) << examples[i];
+
+  // The smallest capture: its ray hits its triangle.
+  ASSERT_EQ(std::system(("cd " + folder.string() + " && " + python() + " example0.py").c_str()), 0);
+  const Capture one = readCapture(folder / "one.gridcap");
+  EXPECT_EQ(one.settings.width, 1u);
+  const Grid grid = frameGrid(one, 0);
+  std::vector<Hit> hits(1);
+  traceRays({grid, one.scene, one.scene.objectTriangles, one.trace}, one.frames[0].rays, hits, {});
+  EXPECT_EQ(hits[0].kind, kHitTriangle);
+  EXPECT_NEAR(hits[0].t, 0.4f, 1e-6f);
+
+  // The changed value, in a capture whose scene has such a triangle and whose grid such a texel.
+  Capture capture = makeSmallCapture(1);
+  std::string change = examples[1];
+  change.replace(change.find("grid[3, 2, 40] = 5 << 16 | 17"), 29, "grid[1, 1, 3] = 1 << 16      ");
+  std::ofstream(folder / "example1.py") << change;
+  writeCapture(folder / "old.gridcap", capture);
+  ASSERT_EQ(std::system(("cd " + folder.string() + " && " + python() + " example1.py").c_str()), 0);
+  const Capture changed = readCapture(folder / "new.gridcap");
+  Grid before = frameGrid(capture, 0);
+  ASSERT_NE(before.at(ivec3(3, 1, 1)), makeReference(1, 0));
+  before.at(ivec3(3, 1, 1)) = makeReference(1, 0);
+  EXPECT_TRUE(sameBits(changed.frames[0].grid, before.texels));
+  fs::remove_all(folder);
+}
+
 TEST(CaptureFile, NumpyOpensOurFiles) {
   if (python().empty()) GTEST_SKIP() << "no numpy";
   const fs::path file = temporary("numpy.gridcap");
