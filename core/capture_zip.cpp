@@ -32,7 +32,8 @@ constexpr uint64_t kMostRatio = 1032;
 // Flags that say nothing about the bytes: how hard deflate tried, and that the name is UTF-8.
 constexpr uint32_t kHarmlessFlags = 0x0002 | 0x0004 | 0x0800;
 
-constexpr uint32_t kDeflateLevel = 6;                  // zlib's default: 1 is 1.5 times as fast, 9 rarely 2 % smaller
+// Measured on Sponza (138 MB of arrays, one core): level 4 2.6 s and 19.1 MB, 6 5.5 s and 18.8 MB, 1 20.5 MB and no quicker.
+constexpr uint32_t kDeflateLevel = 4;
 constexpr uint16_t kFixedDate = 0x21;                  // 1980-01-01, the first that a ZIP can hold
 
 uint32_t number(std::span<const std::byte> bytes, size_t offset, size_t count) {
