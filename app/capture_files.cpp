@@ -70,8 +70,7 @@ LoadedScene sceneOfCapture(const Options& options, const Capture& capture) {
   loaded.scene.name = capture.names.scene.empty() ? fs::path(options.scene).stem().string() : capture.names.scene;
   loaded.scene.materials.resize(capture.scene.materials.size());
   loaded.scene.warnings = capture.faults;
-  if (std::ranges::any_of(capture.scene.materials, [](const TraceMaterial& material) { return material.layer != kNoLayer; }))
-    loaded.scene.warnings.push_back("diffuse maps are not in a capture: surfaces show their base colour");
+  if (lacksDiffuseMaps(capture)) loaded.scene.warnings.push_back("diffuse maps are not in a capture: surfaces show their base colour");
   return loaded;
 }
 

@@ -1,5 +1,5 @@
 // gridscope update-captures: captures made anew after a wanted change. Inputs, gather and rays stay; grid, hits, counters and preview are made
-// again by this program and device. A foreign grid stays too.
+// again by this program and device. A foreign grid stays too, and a preview with diffuse maps, which captures do not hold.
 #include "app/capture_files.h"
 #include "app/capture_pictures.h"
 #include "app/commands.h"
@@ -52,7 +52,7 @@ Capture remade(GpuContext& gpu, const Capture& capture) {
     // A foreign grid has no update that could move instances: each frame begins anew.
     if (i > 0 && !builtHere(capture)) pipeline = std::make_unique<Pipeline>(gpu, pipelineInputs(capture, i));
     result.frames[i] = remadeFrame(*pipeline, capture, i);
-    if (i == 0 && !capture.preview.empty()) result.preview = remadePreview(*pipeline, capture);
+    if (i == 0 && !capture.preview.empty() && !lacksDiffuseMaps(capture)) result.preview = remadePreview(*pipeline, capture);
   }
   if (builtHere(capture)) result.writer = std::string(kWriterName) + GRIDSCOPE_VERSION;
   result.device = gpu.report().name;

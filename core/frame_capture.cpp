@@ -1,6 +1,8 @@
 // See frame_capture.h.
 #include "core/frame_capture.h"
 
+#include <algorithm>
+
 namespace gridscope {
 
 CaptureNames namesOf(const Scene& scene) {
@@ -56,5 +58,9 @@ std::vector<Instance> frameInstances(const Capture& capture, size_t frame) {
 }
 
 bool builtHere(const Capture& capture) { return capture.grid.reserved == 2 && capture.writer.starts_with(kWriterName); }
+
+bool lacksDiffuseMaps(const Capture& capture) {
+  return std::ranges::any_of(capture.scene.materials, [](const TraceMaterial& material) { return material.layer != kNoLayer; });
+}
 
 }  // namespace gridscope

@@ -26,6 +26,9 @@ std::vector<Instance> frameInstances(const Capture& capture, size_t frame);
 // Made by this program: its grid is what the build makes of the scene. Another engine's grid is its own; build and update do not apply.
 bool builtHere(const Capture& capture);
 
+// Surfaces showed diffuse maps, which a capture does not hold: it shows them in their base colour.
+bool lacksDiffuseMaps(const Capture& capture);
+
 // The part of a capture's `writer` that says so.
 inline constexpr const char* kWriterName = "gridscope ";
 

@@ -140,7 +140,9 @@ vec3 scatteredLight(Surface surface, float open) {
   float lamp = max(dot(normal, normalize(offset)), 0.0) / (1.0 + dot(offset, offset) / (reach * reach));
   float shaded = mix(0.5, 1.0, open);
   vec3 light = shaded * (kSunLight * (sun * sun) + kLampLight * lamp) + open * mix(kFloorLight, kSkyLight, upward);
-  return surface.albedo * (1.0 - surface.metallic) * light;
+  // White rooms would burn out under a light that suits stone ones: the brightest colours take a third less.
+  float brightness = max(surface.albedo.r, max(surface.albedo.g, surface.albedo.b));
+  return surface.albedo * (1.0 - 0.38 * brightness * brightness) * (1.0 - surface.metallic) * light;
 }
 
 // Share of light that is mirrored: after Schlick, as for a polished surface, less for rough ones. It is more than nature's, because
@@ -195,7 +197,7 @@ float openness(uint pixel, GatherPixel seen) {
     float fade = max(1.0 - squared / (radius * radius), 0.0);
     closed += fade * max(above, 0.0) * radius / (squared + 0.01 * radius * radius);
   }
-  return 1.0 / (1.0 + 2.2 * closed / float(kOcclusionSamples));
+  return 1.0 / (1.0 + 3.0 * closed / float(kOcclusionSamples));
 }
 
 // --- pictures
