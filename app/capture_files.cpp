@@ -56,7 +56,8 @@ Capture readSceneCapture(const Options& options) {
     throw Error(std::string(options.frames > 1 ? "--frames " : "--sequence ") + std::to_string(frames) + ": " + options.scene + " holds " +
                 std::to_string(capture.frames.size()));
   if (frames > 1 && capture.grid.reserved != 2)
-    throw Error("--frames " + std::to_string(frames) + ": " + options.scene + " has a foreign grid, which no update can follow; show its first frame, or use gridscope replay");
+    throw Error("--frames " + std::to_string(frames) + ": " + options.scene +
+                " has a foreign grid, which no update can follow; show its first frame, or use gridscope replay");
   if (options.checkCpu && capture.grid.reserved != 2)
     throw Error("--check-cpu: " + options.scene + " has a grid with " + std::to_string(capture.grid.reserved) +
                 " reserved texels a cell, which the C++ path does not build; use gridscope replay");

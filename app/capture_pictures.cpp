@@ -131,6 +131,8 @@ DifferencePictures drawDifference(const TwoSides& sides) {
 }
 
 std::vector<std::string> writeDifference(const std::filesystem::path& folder, const std::string& name, const TwoSides& sides) {
+  // Counters alone have no picture.
+  if (sides.hitsA.empty() && (sides.gridA.texels.empty() || sides.gridB.texels.empty())) return {};
   std::error_code fault;
   std::filesystem::create_directories(folder, fault);
   if (fault) throw Error("--out " + folder.string() + ": can't be made: " + fault.message());

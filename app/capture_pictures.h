@@ -35,7 +35,8 @@ struct DifferencePictures {
 };
 DifferencePictures drawDifference(const TwoSides& sides);
 
-// The two pictures of a replay that differs, as FOLDER/NAME.difference.png and NAME.ab.png; returns their paths.
+// The two pictures of a replay that differs, as FOLDER/NAME.difference.png and NAME.ab.png; returns their paths; none
+// where neither hits nor grids are on both sides.
 std::vector<std::string> writeDifference(const std::filesystem::path& folder, const std::string& name, const TwoSides& sides);
 TwoSides sidesOf(const Capture& capture, const DifferentFrame& different);
 

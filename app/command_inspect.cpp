@@ -44,10 +44,13 @@ void printEntries(std::FILE* out, const CaptureDirectory& directory) {
 void printStatistics(std::FILE* out, const Capture& capture, const CaptureStatistics& s) {
   Table table("ll");
   table.add({"  frames", printed("%zu of %u x %u pixels", s.frames, capture.settings.width, capture.settings.height)});
-  table.add({"  scene", printed("%s: %s triangles, %u instances (%u static)", capture.names.scene.c_str(), grouped(s.triangles).c_str(), s.instances, s.staticInstances)});
-  table.add({"  grid", gridText(capture.grid) + printed(", stretched along %c, %d reserved texels a cell", "xyz"[capture.grid.stretchAxis], capture.grid.reserved)});
+  table.add({"  scene", printed("%s: %s triangles, %u instances (%u static)",
+                                  capture.names.scene.c_str(), grouped(s.triangles).c_str(), s.instances, s.staticInstances)});
+  table.add({"  grid", gridText(capture.grid) + printed(", stretched along %c, %d reserved texels a cell",
+                                                         "xyz"[capture.grid.stretchAxis], capture.grid.reserved)});
   if (s.grid)
-    table.add({"  references", printed("%s stored, %s refused; %s cells occupied, %s saturated", grouped(s.grid->stored()).c_str(), grouped(s.grid->refused()).c_str(),
+    table.add({"  references", printed("%s stored, %s refused; %s cells occupied, %s saturated",
+                                       grouped(s.grid->stored()).c_str(), grouped(s.grid->refused()).c_str(),
                                        grouped(s.grid->statistics.occupied).c_str(), grouped(s.grid->statistics.saturated).c_str())});
   if (s.rays)
     table.add({"  rays", printed("%s: %s triangle hits, %s voxel hits, %s misses", grouped(s.rays->count).c_str(), grouped(s.rays->triangleHits).c_str(),
@@ -64,15 +67,19 @@ Json directoryJson(const std::filesystem::path& file, const CaptureDirectory& di
   Json json = {{"file", file.string()}, {"formatVersion", directory.version}, {"bytes", directory.fileBytes}, {"manifest", Json::parse(directory.manifest)},
                {"entries", entries}, {"frames", s.frames}, {"triangles", s.triangles}, {"instances", s.instances}};
   if (s.grid)
-    json["references"] = {{"stored", s.grid->stored()}, {"refused", s.grid->refused()}, {"occupied", s.grid->statistics.occupied}, {"saturated", s.grid->statistics.saturated}};
-  if (s.rays) json["rays"] = {{"count", s.rays->count}, {"triangleHits", s.rays->triangleHits}, {"voxelHits", s.rays->voxelHits}, {"misses", s.rays->misses}};
+    json["references"] = {{"stored", s.grid->stored()}, {"refused", s.grid->refused()},
+                          {"occupied", s.grid->statistics.occupied}, {"saturated", s.grid->statistics.saturated}};
+  if (s.rays)
+    json["rays"] = {{"count", s.rays->count}, {"triangleHits", s.rays->triangleHits}, {"voxelHits", s.rays->voxelHits},
+                    {"misses", s.rays->misses}};
   if (!s.faults.empty()) json["leftOut"] = s.faults;
   return json;
 }
 
 Json inspect(const std::filesystem::path& file, const Options& options) {
   const CaptureDirectory directory = listCapture(file);
-  const Capture capture = readCapture(file, {.salvage = options.captures.salvage, .products = {.gather = false, .rays = false, .preview = false}, .unknownEntries = false});
+  const Capture capture = readCapture(file, {.salvage = options.captures.salvage,
+                                             .products = {.gather = false, .rays = false, .preview = false}, .unknownEntries = false});
   const CaptureStatistics statistics = statisticsOf(capture);
   std::FILE* out = textStream(options);
   std::fprintf(out, "%s: %s, format %u, written by %s on %s, %s\n", file.string().c_str(), byteText(directory.fileBytes).c_str(), directory.version,

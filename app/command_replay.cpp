@@ -15,9 +15,11 @@ namespace {
 std::vector<std::string> differences(const ReplayReport& report) {
   std::vector<std::string> lines;
   for (const auto& [name, product] : report["products"].items()) {
-    if (!product["equal"]) lines.push_back(printed("%s: %s of %s differ; the first: ", name.c_str(), grouped(product["different"].get<uint64_t>()).c_str(),
-                                                   grouped(product["total"].get<uint64_t>()).c_str()) + product["first"].get<std::string>());
-    if (product.value("distinct", 1u) > 1) lines.push_back(printed("%s: %u distinct results in %u runs", name.c_str(), product["distinct"].get<uint32_t>(), report.value("runs", 1u)));
+    if (!product["equal"])
+      lines.push_back(name + ": " + grouped(product["different"].get<uint64_t>()) + " of " + grouped(product["total"].get<uint64_t>()) +
+                      " differ; the first: " + product["first"].get<std::string>());
+    if (product.value("distinct", 1u) > 1)
+      lines.push_back(printed("%s: %u distinct results in %u runs", name.c_str(), product["distinct"].get<uint32_t>(), report.value("runs", 1u)));
   }
   return lines;
 }
@@ -41,6 +43,8 @@ void print(std::FILE* out, const ReplayReport& report) {
   }
   std::fprintf(out, "%-10s %s: %s\n", verdict.c_str(), file.c_str(), comparedText(report).c_str());
   for (const std::string& line : differences(report)) std::fprintf(out, "           %s\n", line.c_str());
+  for (const std::string& fault : report.value("leftOut", std::vector<std::string>{}))
+    std::fprintf(out, "           left out: %s\n", fault.c_str());
   for (const std::string picture : report["pictures"]) std::fprintf(out, "           %s\n", picture.c_str());
 }
 

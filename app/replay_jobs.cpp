@@ -37,9 +37,11 @@ ReplayReport reportOf(const fs::path& file, const ReplayResult& result) {
 ReplayReport replayFile(const fs::path& file, const Options& options, GpuContext* gpu) {
   const CaptureOptions& captures = options.captures;
   ReplayResult result{.device = gpu ? gpu->report().name : "cpu"};
-  std::vector<std::string> pictures;
+  std::vector<std::string> pictures, leftOut;
   try {
-    const Capture capture = readCapture(file, {.salvage = captures.salvage, .products = {.gather = false, .preview = false}, .unknownEntries = false});
+    // All of it, though not all of it is compared: a damaged file must not pass.
+    const Capture capture = readCapture(file, {.salvage = captures.salvage});
+    leftOut = capture.faults;
     result = replay(capture, {.from = captures.from, .repeat = captures.repeat}, gpu);
     if (!result.reason.empty()) result.reason = file.string() + ": " + result.reason;
     if (result.different && !captures.differences.empty()) pictures = writeDifference(captures.differences, pictureName(file), sidesOf(capture, *result.different));
@@ -50,6 +52,7 @@ ReplayReport replayFile(const fs::path& file, const Options& options, GpuContext
   ReplayReport report = reportOf(file, result);
   report["runs"] = captures.repeat;
   report["pictures"] = pictures;
+  if (captures.salvage) report["leftOut"] = leftOut;
   return report;
 }
 

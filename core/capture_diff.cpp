@@ -114,7 +114,8 @@ CaptureDifferences diffCaptures(const Capture& a, const Capture& b) {
     if (compared("grid", frameA.grid.size(), frameB.grid.size(), sameCells)) frame.cells = diffCells(frameGrid(a, i), frameGrid(b, i), howA, howB);
     if (compared("rays", frameA.rays.size(), frameB.rays.size(), sameSize)) frame.rays = diffRays(frameA.rays, frameB.rays, width);
     if (compared("hits", frameA.hits.size(), frameB.hits.size(), sameSize)) frame.hits = diffHits(frameA.hits, frameB.hits, width, howA, howB);
-    if (compared("counters", frameA.counters.size(), frameB.counters.size(), sameSize)) frame.counters = compareCounters(frameA.counters, frameB.counters, width, howA);
+    if (compared("counters", frameA.counters.size(), frameB.counters.size(), sameSize))
+      frame.counters = compareCounters(frameA.counters, frameB.counters, width, howA);
     result.frames.push_back(std::move(frame));
   }
   return result;

@@ -152,23 +152,22 @@ GpuPrograms::~GpuPrograms() {
 
 void GpuPrograms::bind(int binding, const GpuBuffer& buffer) {
   VkDescriptorBufferInfo info{buffer.handle(), 0, VK_WHOLE_SIZE};
-  VkWriteDescriptorSet write{VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET};
-  write.dstSet = set_;
-  write.dstBinding = uint32_t(binding);
-  write.descriptorCount = 1;
-  write.descriptorType = bindingType(binding);
-  write.pBufferInfo = &info;
-  vkUpdateDescriptorSets(gpu_.device(), 1, &write, 0, nullptr);
+  writeDescriptor(binding, &info, nullptr);
 }
 
 void GpuPrograms::bind(int binding, const GpuImage& image, VkSampler sampler) {
   VkDescriptorImageInfo info{sampler, image.view(), VK_IMAGE_LAYOUT_GENERAL};
+  writeDescriptor(binding, nullptr, &info);
+}
+
+void GpuPrograms::writeDescriptor(int binding, const VkDescriptorBufferInfo* buffer, const VkDescriptorImageInfo* image) {
   VkWriteDescriptorSet write{VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET};
   write.dstSet = set_;
   write.dstBinding = uint32_t(binding);
   write.descriptorCount = 1;
   write.descriptorType = bindingType(binding);
-  write.pImageInfo = &info;
+  write.pBufferInfo = buffer;
+  write.pImageInfo = image;
   vkUpdateDescriptorSets(gpu_.device(), 1, &write, 0, nullptr);
 }
 

@@ -47,6 +47,7 @@ class GpuPrograms {
     bool warm = false;   // dispatched before
   };
 
+  void writeDescriptor(int binding, const VkDescriptorBufferInfo* buffer, const VkDescriptorImageInfo* image);
   void bindPlaceholders();
   std::string key(const std::string& stem) const;   // of a pass with the present constants
   VkShaderModule makeModule(const std::string& stem);

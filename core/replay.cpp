@@ -5,9 +5,9 @@
 #include <memory>
 #include <set>
 
-#include "core/frame_capture.h"
 #include "core/compare.h"
 #include "core/cpu_stages.h"
+#include "core/frame_capture.h"
 #include "core/self_test.h"
 
 namespace gridscope {

@@ -1,10 +1,6 @@
 // The program as a person starts it: options, files, messages and exit codes. Each test runs it as a child process, on small scenes.
 #include <gtest/gtest.h>
 
-#include <fcntl.h>
-#include <sys/wait.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -16,6 +12,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/npy.h"
+#include "tests/program.h"
 
 namespace gridscope {
 namespace {
@@ -23,67 +20,31 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
 
-std::string textOf(const fs::path& file) {
-  std::ostringstream text;
-  text << std::ifstream(file, std::ios::binary).rdbuf();
-  return text.str();
-}
-
 void writeFile(const fs::path& file, std::span<const std::byte> bytes) {
   std::ofstream(file, std::ios::binary).write(reinterpret_cast<const char*>(bytes.data()), std::streamsize(bytes.size()));
 }
 
-struct Outcome {
-  int exitCode;        // -1: ended by a signal
-  std::string out;
-  std::string err;
-  size_t errLines() const { return size_t(std::count(err.begin(), err.end(), '\n')); }
-};
+size_t lineCount(const std::string& text) { return size_t(std::count(text.begin(), text.end(), '\n')); }
 
 // A test has a folder of its own, in which the program runs.
-class Program : public testing::Test {
+class Program : public ProgramTest {
  protected:
-  void SetUp() override {
-    folder_ = fs::path(testing::TempDir()) / ("gridscope_" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()) + "_" + std::to_string(getpid()));
-    fs::create_directories(folder_);
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-
-  Outcome run(std::vector<std::string> arguments) {
-    const fs::path out = folder_ / "stdout.txt", err = folder_ / "stderr.txt";
-    arguments.insert(arguments.begin(), GRIDSCOPE_PROGRAM);
-    std::vector<char*> argv;
-    for (std::string& argument : arguments) argv.push_back(argument.data());
-    argv.push_back(nullptr);
-
-    const pid_t child = fork();
-    if (child == 0) {
-      const int outFile = open(out.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600), errFile = open(err.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
-      if (chdir(folder_.c_str()) != 0 || dup2(outFile, 1) < 0 || dup2(errFile, 2) < 0) _exit(127);
-      execv(argv[0], argv.data());
-      _exit(127);
-    }
-    int status = 0;
-    waitpid(child, &status, 0);
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, textOf(out), textOf(err)};
-  }
-
   // A render of a small scene that ends well, with its JSON.
   Json render(std::vector<std::string> arguments) {
     arguments.insert(arguments.begin(), "render");
     arguments.insert(arguments.end(), {"--json", "result.json"});
-    const Outcome outcome = run(arguments);
+    const Ended outcome = run(arguments);
     EXPECT_EQ(outcome.exitCode, 0) << outcome.out << outcome.err;
-    return outcome.exitCode == 0 ? Json::parse(textOf(folder_ / "result.json")) : Json();
+    return outcome.exitCode == 0 ? Json::parse(fileText(folder_ / "result.json")) : Json();
   }
 
   // One line that holds `named`, and this exit code.
   void expectRefused(const std::vector<std::string>& arguments, const std::string& named, int exitCode = 2) {
     std::string line;
     for (const std::string& argument : arguments) line += argument + " ";
-    const Outcome outcome = run(arguments);
+    const Ended outcome = run(arguments);
     EXPECT_EQ(outcome.exitCode, exitCode) << line << outcome.err;
-    EXPECT_EQ(outcome.errLines(), 1u) << line << outcome.err;
+    EXPECT_EQ(lineCount(outcome.err), 1u) << line << outcome.err;
     EXPECT_NE(outcome.err.find(named), std::string::npos) << line << outcome.err;
     EXPECT_EQ(outcome.out, "") << line;
   }
@@ -93,20 +54,20 @@ class Program : public testing::Test {
 
 // Width and height of a PNG file; zeros when it is none.
 std::pair<uint32_t, uint32_t> pngSize(const fs::path& file) {
-  const std::string bytes = textOf(file);
+  const std::string bytes = fileText(file);
   if (bytes.size() < 24 || bytes.substr(1, 3) != "PNG") return {0, 0};
   auto word = [&](size_t at) { return uint32_t(uint8_t(bytes[at + 2])) << 8 | uint8_t(bytes[at + 3]); };
   return {word(16), word(20)};
 }
 
 TEST_F(Program, SaysItsVersion) {
-  const Outcome outcome = run({"--version"});
+  const Ended outcome = run({"--version"});
   EXPECT_EQ(outcome.exitCode, 0);
   EXPECT_EQ(outcome.out.rfind("gridscope ", 0), 0u);
 }
 
 TEST_F(Program, HelpNamesUnitsAndDefaults) {
-  const Outcome outcome = run({"render", "--help"});
+  const Ended outcome = run({"render", "--help"});
   EXPECT_EQ(outcome.exitCode, 0);
   for (const char* text : {"--cells N=128", "--capacity N=32", "--ahead EDGES=0.75", "--size WxH=640x360", "--time SECONDS=0", "in cell edges", "--json FILE"})
     EXPECT_NE(outcome.out.find(text), std::string::npos) << text;
@@ -156,7 +117,7 @@ TEST_F(Program, RefusesWhatNoDeviceCanDo) {
 }
 
 TEST_F(Program, ListsScenesWithTheHallFirst) {
-  const Outcome outcome = run({"scenes", "--json", "-"});
+  const Ended outcome = run({"scenes", "--json", "-"});
   ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
   const Json scenes = Json::parse(outcome.out).at("scenes");
   EXPECT_EQ(scenes.at(0).at("name"), "hall");
@@ -214,7 +175,7 @@ TEST_F(Program, NumbersThePicturesOfSeveralFrames) {
 }
 
 TEST_F(Program, KeepsStandardOutputForJsonAlone) {
-  const Outcome outcome = run({"render", "revisit", "--size", "16x9", "--json", "-"});
+  const Ended outcome = run({"render", "revisit", "--size", "16x9", "--json", "-"});
   ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
   EXPECT_EQ(Json::parse(outcome.out).at("scene").at("name"), "revisit");
   EXPECT_NE(outcome.err.find("references"), std::string::npos);
@@ -245,10 +206,10 @@ TEST_F(Program, TracesRaysOfOnesOwn) {
   std::vector<float> rows;
   for (int i = 0; i < 6; ++i) rows.insert(rows.end(), {0.1f * float(i), 50.0f, 0.0f, 0.0f, -2.0f, 0.0f});
   writeFile(folder_ / "image.npy", formatNpy<float>(std::vector<uint64_t>{2, 3, 6}, rows));
-  const Outcome outcome = run({"render", "revisit", "--rays", "image.npy", "--view", "hit-kind,hit-distance", "--json", "result.json"});
+  const Ended outcome = run({"render", "revisit", "--rays", "image.npy", "--view", "hit-kind,hit-distance", "--json", "result.json"});
   ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
   EXPECT_NE(outcome.err.find("normalised"), std::string::npos);
-  const Json json = Json::parse(textOf(folder_ / "result.json"));
+  const Json json = Json::parse(fileText(folder_ / "result.json"));
   EXPECT_EQ(json["size"], Json({3, 2}));
   EXPECT_EQ(json["rays"]["count"], 6);
 
@@ -279,7 +240,7 @@ TEST_F(Program, RefusesRaysThatAreNone) {
 }
 
 TEST_F(Program, FindsADeviceThatPassesItsSelfTest) {
-  const Outcome outcome = run({"info", "--json", "-"});
+  const Ended outcome = run({"info", "--json", "-"});
   ASSERT_EQ(outcome.exitCode, 0) << outcome.out << outcome.err;
   const Json devices = Json::parse(outcome.out).at("devices");
   ASSERT_GE(devices.size(), 1u);
@@ -289,7 +250,7 @@ TEST_F(Program, FindsADeviceThatPassesItsSelfTest) {
 }
 
 TEST_F(Program, TimesEveryStageTwentyTimes) {
-  const Outcome outcome = run({"bench", "revisit", "--size", "16x9", "--json", "-"});
+  const Ended outcome = run({"bench", "revisit", "--size", "16x9", "--json", "-"});
   ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
   const Json json = Json::parse(outcome.out);
   for (const char* stage : {"build", "update", "gather", "bounce", "trace"}) {
@@ -305,7 +266,7 @@ TEST_F(Program, TimesEveryStageTwentyTimes) {
 TEST_F(Program, SaysWhenAFileCantBeWritten) {
   std::ofstream(folder_ / "file") << "in the way";
   expectRefused({"render", "revisit", "--size", "16x9", "--out", "file/pictures"}, "--out");
-  const Outcome outcome = run({"scenes", "--json", "file/scenes.json"});
+  const Ended outcome = run({"scenes", "--json", "file/scenes.json"});
   EXPECT_EQ(outcome.exitCode, 2);
   EXPECT_NE(outcome.err.find("--json"), std::string::npos);
 }

@@ -17,53 +17,40 @@ struct InsertResult {
   uint cut;  // the slot loop ended without a reason: the driver cut it short
 };
 
+SHARED InsertResult makeInsertResult(uint storedCount, uint refusedCount, uint cut) {
+  InsertResult result;
+  result.stored = storedCount;
+  result.refused = refusedCount;
+  result.cut = cut;
+  return result;
+}
+
+// A walk over the slots ended at `slot` without finding room for `reference`: counted as refused, unless it was cut short.
+SHARED InsertResult refuseReference(GridParameters grid, ivec3 cell, uint reference, int slot) {
+  if (slot != grid.capacity) return makeInsertResult(0u, 0u, 1u);
+  if (grid.reserved == 2) slotCount(gridRefusedTexel(grid, cell, reference >= firstDynamicReference(grid)));
+  return makeInsertResult(0u, 1u, 0u);
+}
+
 // Sorted: whatever the order of arrival, slot k ends with the k-th smallest reference, and a full cell keeps the smallest: the larger
 // value is carried on. What is refused may be another reference than the one that came.
 SHARED InsertResult insertSorted(GridParameters grid, ivec3 cell, uint reference) {
-  InsertResult result;
-  result.stored = 0u;
-  result.refused = 0u;
-  result.cut = 0u;
-
   // A full cell whose last reference is smaller will refuse this one: slots only ever fall, so a plain read is safe.
   int slot = slotLoad(gridTexel(grid, cell, grid.capacity - 1)) < reference ? grid.capacity : 0;
   for (; slot < grid.capacity; ++slot) {
     uint old = slotMin(gridTexel(grid, cell, slot), reference);
-    if (old == kBlank) {
-      result.stored = 1u;
-      return result;
-    }
+    if (old == kBlank) return makeInsertResult(1u, 0u, 0u);
     reference = max(old, reference);
   }
-  if (slot != grid.capacity) {
-    result.cut = 1u;
-    return result;
-  }
-  result.refused = 1u;
-  if (grid.reserved == 2) slotCount(gridRefusedTexel(grid, cell, reference >= firstDynamicReference(grid)));
-  return result;
+  return refuseReference(grid, cell, reference, slot);
 }
 
 // First come, first served: the paper's. Which references a full cell keeps depends on the race.
 SHARED InsertResult insertFirstCome(GridParameters grid, ivec3 cell, uint reference) {
-  InsertResult result;
-  result.stored = 0u;
-  result.refused = 0u;
-  result.cut = 0u;
   int slot = 0;
-  for (; slot < grid.capacity; ++slot) {
-    if (slotSwap(gridTexel(grid, cell, slot), kBlank, reference) == kBlank) {
-      result.stored = 1u;
-      return result;
-    }
-  }
-  if (slot != grid.capacity) {
-    result.cut = 1u;
-    return result;
-  }
-  result.refused = 1u;
-  if (grid.reserved == 2) slotCount(gridRefusedTexel(grid, cell, reference >= firstDynamicReference(grid)));
-  return result;
+  for (; slot < grid.capacity; ++slot)
+    if (slotSwap(gridTexel(grid, cell, slot), kBlank, reference) == kBlank) return makeInsertResult(1u, 0u, 0u);
+  return refuseReference(grid, cell, reference, slot);
 }
 
 SHARED InsertResult insertReference(GridParameters grid, ivec3 cell, uint reference) {
