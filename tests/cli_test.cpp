@@ -49,7 +49,6 @@ class Program : public ProgramTest {
     EXPECT_EQ(outcome.out, "") << line;
   }
 
-  fs::path folder_;
 };
 
 // Width and height of a PNG file; zeros when it is none.
