@@ -1,26 +1,13 @@
 // The device's build, update and trace against C++, on the built-in scenes.
 #include "core/pipeline.h"
 
-#include "core/built_in_scenes.h"
 #include "core/cpu_check.h"
 #include "core/self_test.h"
 #include "tests/gpu_fixture.h"
+#include "tests/lesson.h"
 
 namespace gridscope {
 namespace {
-
-// A scene's lesson settings, at a size that a test can afford.
-FrameSettings lessonSettings(const BuiltInScene& lesson, const Scene& scene) {
-  FrameSettings settings;
-  if (lesson.cells) settings.grid.cells = lesson.cells;
-  if (lesson.cellEdge > 0.0f) settings.grid.cellEdge = lesson.cellEdge;
-  if (lesson.capacity) settings.grid.capacity = lesson.capacity;
-  settings.width = 160;
-  settings.height = 90;
-  settings.camera = defaultCamera(scene);
-  settings.textureSize = 64;
-  return settings;
-}
 
 // Every product of two frames equals C++.
 void expectEqualsCpu(Pipeline& pipeline, bool bothTraversals) {
@@ -50,14 +37,14 @@ class LessonTest : public GpuTest, public testing::WithParamInterface<int> {
 
 TEST_P(LessonTest, DeviceEqualsCppInEveryProductWithBothTraversals) {
   Scene scene = lesson().make();
-  Pipeline pipeline(gpu(), scene, lessonSettings(lesson(), scene));
+  Pipeline pipeline(gpu(), scene, lessonSettings(lesson(), scene, 160, 90));
   expectEqualsCpu(pipeline, true);
 }
 
 TEST_P(LessonTest, RasterBuilderEqualsCpp) {
   if (!gpu().report().geometryStage) GTEST_SKIP() << "no geometry stage";
   Scene scene = lesson().make();
-  FrameSettings settings = lessonSettings(lesson(), scene);
+  FrameSettings settings = lessonSettings(lesson(), scene, 160, 90);
   settings.grid.builder = Builder::raster;
   settings.grid.overlap = kOverlapExact;
   Pipeline pipeline(gpu(), scene, settings);
@@ -66,7 +53,7 @@ TEST_P(LessonTest, RasterBuilderEqualsCpp) {
 
 TEST_P(LessonTest, NumberedByAreaWithFewSlotsEqualsCpp) {
   Scene scene = lesson().make();
-  FrameSettings settings = lessonSettings(lesson(), scene);
+  FrameSettings settings = lessonSettings(lesson(), scene, 160, 90);
   settings.grid.numberBy = NumberBy::area;
   settings.grid.capacity = 3;
   settings.grid.stretch = Stretch::z;
@@ -76,7 +63,7 @@ TEST_P(LessonTest, NumberedByAreaWithFewSlotsEqualsCpp) {
 
 TEST_P(LessonTest, FirstComeKeepsTheInvariantsAndTracesAsCpp) {
   Scene scene = lesson().make();
-  FrameSettings settings = lessonSettings(lesson(), scene);
+  FrameSettings settings = lessonSettings(lesson(), scene, 160, 90);
   settings.grid.insertion = kInsertionFirstCome;
   settings.grid.capacity = 5;
   Pipeline pipeline(gpu(), scene, settings);

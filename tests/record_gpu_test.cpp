@@ -1,23 +1,16 @@
 // The recording trace: its end is the frame's hit, and its steps are those that C++ records.
 #include <cstring>
 
-#include "core/built_in_scenes.h"
 #include "core/pipeline.h"
 #include "tests/gpu_fixture.h"
+#include "tests/lesson.h"
 
 namespace gridscope {
 namespace {
 
 TEST_F(GpuTest, RecordedRaysEndAsTheFrameDidAndEqualCpp) {
   Scene scene = makeBuiltInScene("saturated-cell");
-  const BuiltInScene& lesson = findBuiltInScene("saturated-cell");
-  FrameSettings settings;
-  settings.grid.cellEdge = lesson.cellEdge;
-  settings.grid.capacity = lesson.capacity;
-  settings.width = 96;
-  settings.height = 54;
-  settings.camera = defaultCamera(scene);
-  Pipeline pipeline(gpu(), scene, settings);
+  Pipeline pipeline(gpu(), scene, lessonSettings(findBuiltInScene("saturated-cell"), scene, 96, 54));
   pipeline.build();
   pipeline.update(0.0f);
   pipeline.gather();

@@ -6,10 +6,10 @@
 #include <optional>
 #include <set>
 
-#include "core/built_in_scenes.h"
 #include "core/pipeline.h"
 #include "shaders/shared/palette.h"
 #include "tests/gpu_fixture.h"
+#include "tests/lesson.h"
 #include "views/picture.h"
 
 namespace gridscope {
@@ -21,15 +21,7 @@ float valueOf(const ViewElement& element) { return std::bit_cast<float>(element.
 class ViewsTest : public GpuTest {
  protected:
   ViewsTest() : scene_(makeBuiltInScene("saturated-cell")) {
-    const BuiltInScene& lesson = findBuiltInScene("saturated-cell");
-    FrameSettings settings;
-    settings.grid.cellEdge = lesson.cellEdge;
-    settings.grid.capacity = lesson.capacity;
-    settings.width = 96;
-    settings.height = 54;
-    settings.camera = defaultCamera(scene_);
-    settings.textureSize = 32;
-    pipeline_.emplace(gpu(), scene_, settings);
+    pipeline_.emplace(gpu(), scene_, lessonSettings(findBuiltInScene("saturated-cell"), scene_, 96, 54));
     pipeline_->build();
     pipeline_->update(0.0f);
     pipeline_->gather();
