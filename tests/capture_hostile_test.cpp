@@ -95,17 +95,26 @@ std::map<std::string, FileBytes> contentOf(std::span<const std::byte> file) {
   return content;
 }
 
+// The address sanitizer is some twenty times slower: it sees a sample, the release build sees all.
+#ifdef __SANITIZE_ADDRESS__
+constexpr size_t kBitStep = 23;
+constexpr int kBombFrames = 15000;
+#else
+constexpr size_t kBitStep = 1;
+constexpr int kBombFrames = 60000;
+#endif
+
 TEST(CaptureHostile, EveryFlippedBitIsRefusedOrChangesNothing) {
   FileBytes file = formatCapture(makeSmallCapture());
   const std::map<std::string, FileBytes> content = contentOf(file);
   size_t refused = 0;
-  for (size_t bit = 0; bit < 8 * file.size(); ++bit) {
+  for (size_t bit = 0; bit < 8 * file.size(); bit += kBitStep) {
     file[bit / 8] ^= std::byte(1u << (bit % 8));
     if (!faultOf(file).empty()) ++refused;
     else ASSERT_EQ(contentOf(file), content) << "bit " << bit % 8 << " of byte " << bit / 8;
     file[bit / 8] ^= std::byte(1u << (bit % 8));
   }
-  EXPECT_GT(refused, 8 * file.size() * 9 / 10);
+  EXPECT_GT(refused, 8 * file.size() / kBitStep * 9 / 10);
   RecordProperty("bits", int(8 * file.size()));
   RecordProperty("refused", int(refused));
 }
@@ -253,7 +262,7 @@ TEST(CaptureHostile, ABombIsRefusedBeforeItUnpacks) {
         else ++it;
     const json frame = json::object();
     p.manifest["frames"] = json::array();
-    for (int i = 0; i < 60000; ++i) p.manifest["frames"].push_back(frame);
+    for (int i = 0; i < kBombFrames; ++i) p.manifest["frames"].push_back(frame);
   }, {.memoryLimit = 1 << 20});
 }
 
