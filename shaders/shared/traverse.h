@@ -158,7 +158,7 @@ SHARED TraceState traceBegin() {
 
 // A segment whose cell has references, or why there is none.
 struct FoundSegment {
-  uint kind;    // kHitTriangle: found; otherwise how the ray ends, or kHitUnfinished after `most` segments
+  uint kind;    // kHitTriangle: found; otherwise how the ray ends, or kHitUnfinished after segmentsPerPass segments
   float start;  // along the ray
 };
 
