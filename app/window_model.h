@@ -1,0 +1,154 @@
+// What the panels share: the frame that is shown, what is asked of the worker, what is selected, and how things are shown. Panels read it
+// and change it; none knows another. Only what has to do with drawing by ImGui stays out of it.
+#pragma once
+
+#include <array>
+#include <deque>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "app/frame_snapshot.h"
+#include "app/selection.h"
+#include "views/picture.h"
+
+namespace gridscope {
+
+enum class Workspace { grid, ray, verdict, tune };
+enum class BottomTab { steps, cells, instances, triangles, rays, causes, plots, tune, log };
+enum class ViewportLayout { one, four, compare };   // compare: A beside B, by wipe or flip
+enum class Theme { dark, light };
+
+// How one view of the viewport is shown.
+struct Pane {
+  std::string view = "final";
+  std::optional<ValueRange> range;     // not given: fitted to the values
+};
+
+// Where in the frame the viewport looks. Linked panes share one.
+struct ViewportPlace {
+  float zoom = 0.0f;                   // screen pixels a frame pixel; 0: the frame fits
+  vec2 centre{0.5f};                   // of the frame's width and height
+};
+
+struct Overlays {
+  bool cellBoxes = false;
+  std::array<int, 2> occupancy{1, 1 << 30};  // references tried (stored + refused) of the cells whose boxes are drawn
+  bool saturatedBoxes = false;
+  bool raySegments = true;
+  bool visitedCells = true;
+  bool testedTriangles = true;
+  bool selection = true;
+  bool clip = false;                   // only what lies in clipBox
+  Bounds clipBox;                      // world
+};
+
+enum class CameraMode { orbit, fly };
+
+struct CameraState {
+  CameraPose pose;                     // what the frame is gathered from
+  CameraMode mode = CameraMode::orbit;
+  float speed = 1.0f;                  // of flying, world units a second
+  bool zUp = false;
+};
+
+struct Bookmark {
+  std::string name;
+  CameraPose pose;
+};
+
+struct LogLine {
+  enum class Kind { note, warning, error } kind = Kind::note;
+  double seconds = 0.0;                // since the start
+  std::string text;
+};
+
+// Rectangle of pixels that filters the tables; end behind the last.
+struct PixelArea {
+  ivec2 begin{0};
+  ivec2 end{0};
+};
+
+// The ray order of the Rays table: previous and next ray follow it.
+struct RayOrder {
+  std::vector<uint32_t> pixels;        // as the table shows them, filters applied
+  std::string name = "by pixel";       // "Rays, by tests"
+};
+
+// What A/B shows beside the live frame.
+struct CompareState {
+  enum class With { view, frame } with = With::view;  // another view of this frame, or the kept frame
+  std::shared_ptr<const FrameSnapshot> kept;          // a copy of a frame with other settings, or of a capture
+  bool flip = false;                   // showing B
+  bool wipes = true;                   // a split that can be dragged, instead of flipping
+  float split = 0.5f;
+};
+
+// Long work that the worker is doing.
+struct LongWork {
+  std::string what;                    // "Loading sponza.glb"
+  float share = 0.0f;                  // 0..1; below 0: not known
+  double seconds = 0.0;                // so far
+};
+
+struct WindowModel {
+  // The worker.
+  FrameRequest request;                          // what is wanted now; changes are sent once a display frame
+  std::shared_ptr<const FrameSnapshot> frame;    // what there is; null until the first
+  std::optional<LongWork> work;
+  bool cancelWork = false;                       // set by a Cancel button
+  std::string shaderFault;                       // the compiler's text of the last F5; empty: shaders are current
+  std::vector<FrameSettings> undo;               // settings before each change, last at the end
+
+  // Selection.
+  SelectionHistory selection;
+  std::optional<PixelArea> area;
+  bool selectingArea = false;                    // the next drag in the viewport draws it
+  RayOrder rayOrder;
+  std::optional<uint32_t> hoveredPixel;
+
+  // Play.
+  bool playing = false;                          // time
+  double timeStep = 1.0 / 60.0;                  // seconds
+  bool stepsPlaying = false;                     // the ray's steps
+  float stepsPerSecond = 8.0f;
+
+  // Appearance.
+  Workspace workspace = Workspace::grid;
+  BottomTab bottomTab = BottomTab::steps;
+  bool bottomTabWanted = false;                  // set with bottomTab by what is not the tab bar itself
+  ViewportLayout layout = ViewportLayout::one;
+  std::array<Pane, 4> panes{Pane{"final"}, Pane{"verdict"}, Pane{"cause"}, Pane{"visits"}};
+  int activePane = 0;
+  bool linkedPanes = true;
+  std::array<ViewportPlace, 4> places;           // linked: the first is everyone's
+  CompareState comparison;
+  uint32_t colourMap = kColourMapViridis;
+  Overlays overlays;
+  CameraState camera;
+  std::vector<Bookmark> bookmarks;
+  Theme theme = Theme::dark;
+  float uiScale = 1.0f;
+  std::string search;                            // text of the search box
+  bool searchWanted = false;                     // Ctrl+F: give it the keyboard
+  bool helpOpen = false;
+  std::vector<std::string> recentFiles;          // last used first
+  std::string captureName, captureNote;          // of the next capture
+  bool captureDialogOpen = false;
+  bool quit = false;
+
+  std::deque<LogLine> log;
+  std::string toast;                             // last message, shown for a moment over the viewport
+  double toastUntil = 0.0;
+
+  const Selection& selected() const { return selection.now(); }
+  void say(LogLine::Kind kind, std::string text);                 // into the log, and on standard error when it is an error
+  void changeSettings(const std::function<void(FrameSettings&)>& change);  // remembers the old for undo
+  void showTab(BottomTab tab) { bottomTab = tab, bottomTabWanted = true; }
+  double now = 0.0;                              // seconds since the start
+};
+
+}  // namespace gridscope
