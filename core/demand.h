@@ -12,6 +12,8 @@ namespace gridscope {
 
 class Demand {
  public:
+  Demand() = default;                  // of no cells: nothing is wanted
+
   // Runs the overlap test of every triangle, on all cores. Takes 4 bytes a tried reference and 8 a cell. worldTriangles: of all instances.
   Demand(const GridParameters& grid, const NumberedScene& scene, std::span<const Triangle> worldTriangles);
 
@@ -21,12 +23,12 @@ class Demand {
   uint64_t total() const { return references_.size(); }
 
  private:
-  GridParameters grid_;
+  GridParameters grid_{};
   std::vector<uint64_t> first_;        // of a cell (x fastest) in references_; one more at the end
   std::vector<uint32_t> references_;
 };
 
-// A cell's stored references, in slot order.
+// A cell's references up to its first blank, in slot order: what a ray is shown. Empty outside the grid.
 std::vector<uint32_t> storedIn(const Grid& grid, ivec3 cell);
 
 // What a cell was asked to take and does not hold, rising.

@@ -39,6 +39,9 @@ uint32_t judge(const Hit& traced, const Hit& exact, const GridParameters& grid);
 // Verdict, cause and evidence of one ray.
 RayTruth explainRay(const TruthInput& input, const Ray& ray, const Hit& traced, const Hit& exact);
 
+// The cell that holds the point where a ray meets a hit; outside the grid some component is -1 or cellCount.
+ivec3 hitCell(const GridParameters& grid, const Ray& ray, const Hit& hit);
+
 // Counted over the rays of a frame. agreeHit + agreeMiss + the other verdicts = rays; the causes add up to the rays that do not agree.
 struct TruthTotals {
   uint64_t rays = 0;                   // valid ones
@@ -56,6 +59,10 @@ using TruthProgress = std::function<bool(float)>;
 
 // Of all rays, on all cores. Empty when abandoned.
 std::vector<RayTruth> tellTruth(const TruthInput& input, const ExactReference& exact, std::span<const Ray> rays, std::span<const Hit> hits,
+                                const TruthProgress& progress = {});
+
+// The same where the exact hits are known: one a ray.
+std::vector<RayTruth> tellTruth(const TruthInput& input, std::span<const Ray> rays, std::span<const Hit> hits, std::span<const Hit> exact,
                                 const TruthProgress& progress = {});
 
 }  // namespace gridscope

@@ -50,4 +50,8 @@ struct ProofTotals {
 ProofTotals proveFrame(const TruthInput& input, const ExactReference& exact, std::span<const Ray> rays, std::span<const RayTruth> truths,
                        const TruthProgress& progress = {});
 
+// The same where the exact hits are known: one a ray.
+ProofTotals proveFrame(const TruthInput& input, std::span<const Hit> exact, std::span<const Ray> rays, std::span<const RayTruth> truths,
+                       const TruthProgress& progress = {});
+
 }  // namespace gridscope

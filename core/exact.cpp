@@ -1,0 +1,166 @@
+// See exact.h. Triangles are Embree's user geometry: its hierarchy proposes the triangles whose padded boxes a ray meets, the trace's own test
+// decides. So no candidate is lost where Embree's arithmetic and the trace's differ in the last bit.
+// Source: Wald, Woop, Benthin, Johnson and Ernst, Embree: A Kernel Framework for Efficient CPU Ray Tracing, 2014.
+#include "core/exact.h"
+
+#include <embree3/rtcore.h>
+
+#include <algorithm>
+#include <string>
+
+#include "core/error.h"
+#include "core/parallel.h"
+#include "core/trace_loads.h"
+
+namespace gridscope {
+
+namespace {
+
+struct ExactTrace : TraceLoads {
+  using TraceLoads::TraceLoads;
+#include "shaders/shared/traverse.h"
+};
+
+// Boxes are padded by this share of the largest coordinate: more than the rounding of the ray test at any place of the scene.
+constexpr float kBoxPadding = 1e-5f;
+
+// Behind the nearest hit so far boxes are still asked for this share of the scene's size: of a triangle that the ray nearly runs along, the test's
+// distance may lie that far from its box.
+constexpr float kFarMargin = 0.01f;
+
+// A ray on its way through the hierarchy.
+struct Query {
+  RTCIntersectContext context;  // first: Embree hands it back by this address
+  const Ray* ray;
+  float best;
+  uint32_t reference;
+};
+
+[[noreturn]] void failEmbree(RTCDevice device, const char* call) {
+  throw Error(std::string("exact reference: ") + call + " failed in Embree, error " + std::to_string(int(rtcGetDeviceError(device))), kExitDevice);
+}
+
+}  // namespace
+
+struct ExactReference::Parts {
+  TraceInput input;
+  mutable ExactTrace loads;           // holds nothing that a ray changes
+  std::vector<uint32_t> references;   // of the primitives: triangles with an area, rising
+  std::vector<uint32_t> triangles;    // their world triangles
+  float padding = 0.0f;               // of boxes, world units
+  float margin = 0.0f;                // behind the best hit, world units
+  RTCDevice device = nullptr;
+  RTCScene scene = nullptr;
+
+  explicit Parts(const TraceInput& traceInput) : input(traceInput), loads(input) {}
+  ~Parts() {
+    if (scene) rtcReleaseScene(scene);
+    if (device) rtcReleaseDevice(device);
+  }
+  Parts(const Parts&) = delete;
+  Parts& operator=(const Parts&) = delete;
+
+  const Triangle& triangleOf(uint32_t primitive) const { return input.worldTriangles[triangles[primitive]]; }
+  void listPrimitives();
+  void build();
+  void bound(uint32_t primitive, RTCBounds& bounds) const;
+  void offer(Query& query, uint32_t primitive, float& far) const;
+};
+
+// Triangles without an area are not surfaces. Sizes for the margins come along.
+void ExactReference::Parts::listPrimitives() {
+  float largest = 0.0f;
+  vec3 low(kFar), high(-kFar);
+  for (uint32_t i = 0; i < input.scene.instanceCount(); ++i) {
+    const Instance& instance = input.scene.instances[i];
+    for (uint32_t k = 0; k < instance.triangleCount; ++k) {
+      const Triangle& triangle = input.worldTriangles[instance.firstWorldTriangle + k];
+      if (triangleDegenerate(triangleNormal(triangle))) continue;
+      references.push_back(makeReference(i, k));
+      triangles.push_back(instance.firstWorldTriangle + k);
+      low = min(low, min(triangle.a, min(triangle.b, triangle.c)));
+      high = max(high, max(triangle.a, max(triangle.b, triangle.c)));
+    }
+  }
+  if (references.empty()) return;
+  for (int axis = 0; axis < 3; ++axis) largest = std::max({largest, std::abs(low[axis]), std::abs(high[axis])});
+  padding = kBoxPadding * largest;
+  margin = kFarMargin * glm::distance(low, high) + padding;
+}
+
+// The trace's own test, tMin and alpha keying. Of equal distances the smaller reference, in whatever order they are offered.
+void ExactReference::Parts::offer(Query& query, uint32_t primitive, float& far) const {
+  const Triangle& triangle = triangleOf(primitive);
+  const uint32_t reference = references[primitive];
+  const TriangleTest test = testTriangle(*query.ray, triangle, input.parameters.tMin, kFar);
+  if (test.verdict != kTestHit || test.t > query.best || (test.t == query.best && reference > query.reference)) return;
+  uint alphaByte;
+  if (!loads.alphaPasses(reference, triangle, rayPoint(*query.ray, test.t), alphaByte)) return;
+  query.best = test.t;
+  query.reference = reference;
+  far = std::min(far, test.t + margin);
+}
+
+void ExactReference::Parts::bound(uint32_t primitive, RTCBounds& bounds) const {
+  const Triangle& triangle = triangleOf(primitive);
+  const vec3 low = min(triangle.a, min(triangle.b, triangle.c)) - padding, high = max(triangle.a, max(triangle.b, triangle.c)) + padding;
+  bounds.lower_x = low.x, bounds.lower_y = low.y, bounds.lower_z = low.z;
+  bounds.upper_x = high.x, bounds.upper_y = high.y, bounds.upper_z = high.z;
+}
+
+void ExactReference::Parts::build() {
+  device = rtcNewDevice(nullptr);
+  if (!device) failEmbree(nullptr, "rtcNewDevice");
+  scene = rtcNewScene(device);
+  rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);
+  RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_USER);
+  rtcSetGeometryUserPrimitiveCount(geometry, unsigned(references.size()));
+  rtcSetGeometryUserData(geometry, this);
+  rtcSetGeometryBoundsFunction(geometry, [](const RTCBoundsFunctionArguments* arguments) {
+    static_cast<const Parts*>(arguments->geometryUserPtr)->bound(arguments->primID, *arguments->bounds_o);
+  }, nullptr);
+  rtcSetGeometryIntersectFunction(geometry, [](const RTCIntersectFunctionNArguments* arguments) {
+    RTCRayHit& rayHit = *reinterpret_cast<RTCRayHit*>(arguments->rayhit);
+    Query& query = *reinterpret_cast<Query*>(arguments->context);
+    static_cast<const Parts*>(arguments->geometryUserPtr)->offer(query, arguments->primID, rayHit.ray.tfar);
+  });
+  rtcCommitGeometry(geometry);
+  rtcAttachGeometry(scene, geometry);
+  rtcReleaseGeometry(geometry);
+  rtcCommitScene(scene);
+  if (rtcGetDeviceError(device) != RTC_ERROR_NONE) failEmbree(device, "rtcCommitScene");
+}
+
+ExactReference::ExactReference(const TraceInput& input) : parts_(std::make_unique<Parts>(input)) {
+  parts_->listPrimitives();
+  parts_->build();
+}
+
+ExactReference::~ExactReference() = default;
+ExactReference::ExactReference(ExactReference&&) noexcept = default;
+
+Hit ExactReference::trace(const Ray& ray) const {
+  ExactTrace& loads = parts_->loads;
+  if (ray.valid == 0u) return loads.missedHit(kHitNoRay);
+  Query query{.context = {}, .ray = &ray, .best = kFar, .reference = kBlank};
+  rtcInitIntersectContext(&query.context);
+  RTCRayHit rayHit{};
+  rayHit.ray.org_x = ray.origin.x, rayHit.ray.org_y = ray.origin.y, rayHit.ray.org_z = ray.origin.z;
+  rayHit.ray.dir_x = ray.direction.x, rayHit.ray.dir_y = ray.direction.y, rayHit.ray.dir_z = ray.direction.z;
+  rayHit.ray.tfar = kFar;
+  rayHit.ray.mask = ~0u;
+  rayHit.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+  rtcIntersect1(parts_->scene, &query.context, &rayHit);
+  if (query.reference == kBlank) return loads.missedHit(kHitMiss);
+  return loads.finishHit(ray, loads.makeHit(kHitTriangle, query.best, query.reference));
+}
+
+std::vector<Hit> ExactReference::trace(std::span<const Ray> rays) const {
+  std::vector<Hit> hits(rays.size());
+  forRanges(rays.size(), 256, [&](size_t begin, size_t end) {
+    for (size_t i = begin; i < end; ++i) hits[i] = trace(rays[i]);
+  });
+  return hits;
+}
+
+}  // namespace gridscope

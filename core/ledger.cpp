@@ -1,0 +1,132 @@
+// See ledger.h.
+#include "core/ledger.h"
+
+#include <algorithm>
+#include <map>
+
+
+namespace gridscope {
+
+namespace {
+
+size_t cellIndex(const GridParameters& grid, ivec3 cell) {
+  return (size_t(cell.z) * size_t(grid.cellCount.y) + size_t(cell.y)) * size_t(grid.cellCount.x) + size_t(cell.x);
+}
+
+// The triangle that a ray's fault is charged to: the one that it should have hit; where there is none, the one that the event is about.
+uint32_t chargedReference(const RayTruth& truth) { return truth.exactReference != kBlank ? truth.exactReference : truth.reference; }
+
+bool differs(const RayTruth& truth) { return truth.verdict != kVerdictNoRay && truth.verdict != kVerdictAgrees; }
+
+// Losses of all triangles by world triangle, from the cells' slots and what was wanted of them; and the cells'.
+struct Losses {
+  const TruthInput& input;
+  std::vector<CellLoss> cells;
+  std::vector<TriangleLoss> triangles;
+
+  explicit Losses(const TruthInput& truthInput) : input(truthInput) {
+    const NumberedScene& scene = input.trace.scene;
+    triangles.resize(scene.triangleCount);
+    for (uint32_t i = 0; i < scene.instanceCount(); ++i)
+      for (uint32_t k = 0; k < scene.instances[i].triangleCount; ++k)
+        triangles[scene.instances[i].firstWorldTriangle + k].reference = makeReference(i, k);
+  }
+
+  // Null for a reference to no triangle of the scene: a damaged grid's.
+  TriangleLoss* find(uint32_t reference) {
+    const NumberedScene& scene = input.trace.scene;
+    if (referenceInstance(reference) >= scene.instanceCount()) return nullptr;
+    const Instance& instance = scene.instances[referenceInstance(reference)];
+    if (referenceTriangle(reference) >= instance.triangleCount) return nullptr;
+    return &triangles[instance.firstWorldTriangle + referenceTriangle(reference)];
+  }
+
+  void addCell(ivec3 cell) {
+    const std::vector<uint32_t> stored = storedIn(input.trace.grid, cell);
+    const std::vector<uint32_t> refused = refusedBy(input.trace.grid, input.demand, cell);
+    if (stored.empty() && refused.empty()) return;
+    for (uint32_t reference : stored)
+      if (TriangleLoss* loss = find(reference)) ++loss->stored;
+    for (uint32_t reference : refused)
+      if (TriangleLoss* loss = find(reference)) ++loss->lost;
+    cells.push_back({.cell = cell, .tried = uint32_t(stored.size() + refused.size()), .stored = uint32_t(stored.size()),
+                     .refused = uint32_t(refused.size())});
+  }
+
+  void addAllCells() {
+    const ivec3 count = input.trace.grid.parameters.cellCount;
+    ivec3 cell;
+    for (cell.z = 0; cell.z < count.z; ++cell.z)
+      for (cell.y = 0; cell.y < count.y; ++cell.y)
+        for (cell.x = 0; cell.x < count.x; ++cell.x) addCell(cell);
+  }
+
+  void chargeRays(std::span<const RayTruth> truths) {
+    const GridParameters& grid = input.trace.grid.parameters;
+    std::map<size_t, uint32_t> raysOfCell;
+    for (const RayTruth& truth : truths) {
+      if (!differs(truth)) continue;
+      if (gridContains(grid, truth.cell)) ++raysOfCell[cellIndex(grid, truth.cell)];
+      if (TriangleLoss* loss = find(chargedReference(truth))) ++loss->rays;
+    }
+    for (CellLoss& loss : cells) {
+      const auto found = raysOfCell.find(cellIndex(grid, loss.cell));
+      if (found != raysOfCell.end()) loss.rays = found->second;
+    }
+  }
+};
+
+// Sums by a number that each of the grid's instances has.
+template <typename NumberOf>
+std::vector<GroupLoss> sumGroups(const Losses& losses, std::span<const RayTruth> truths, NumberOf numberOf) {
+  const NumberedScene& scene = losses.input.trace.scene;
+  std::map<uint32_t, GroupLoss> groups;
+  for (uint32_t i = 0; i < scene.instanceCount(); ++i) {
+    GroupLoss& group = groups[numberOf(scene.sources[i])];
+    group.index = numberOf(scene.sources[i]);
+    group.triangles += scene.instances[i].triangleCount;
+    for (uint32_t k = 0; k < scene.instances[i].triangleCount; ++k) {
+      const TriangleLoss& loss = losses.triangles[scene.instances[i].firstWorldTriangle + k];
+      group.stored += loss.stored;
+      group.lost += loss.lost;
+      group.rays += loss.rays;
+    }
+  }
+  for (const RayTruth& truth : truths) {
+    const uint32_t instance = referenceInstance(chargedReference(truth));
+    if (differs(truth) && instance < scene.instanceCount()) ++groups[numberOf(scene.sources[instance])].verdicts[truth.verdict];
+  }
+  std::vector<GroupLoss> list;
+  for (const auto& [number, group] : groups) list.push_back(group);
+  return list;
+}
+
+template <typename Loss>
+std::vector<size_t> worst(std::span<const Loss> losses, size_t count) {
+  std::vector<size_t> order;
+  for (size_t i = 0; i < losses.size(); ++i)
+    if (losses[i].rays > 0) order.push_back(i);
+  std::stable_sort(order.begin(), order.end(), [&](size_t a, size_t b) { return losses[a].rays > losses[b].rays; });
+  order.resize(std::min(order.size(), count));
+  return order;
+}
+
+}  // namespace
+
+Ledger makeLedger(const TruthInput& input, std::span<const RayTruth> truths) {
+  Losses losses(input);
+  losses.addAllCells();
+  losses.chargeRays(truths);
+  Ledger ledger;
+  ledger.instances = sumGroups(losses, truths, [](const InstanceSource& source) { return source.sceneInstance; });
+  ledger.meshes = sumGroups(losses, truths, [](const InstanceSource& source) { return source.mesh; });
+  ledger.cells = std::move(losses.cells);
+  ledger.triangles = std::move(losses.triangles);
+  return ledger;
+}
+
+std::vector<size_t> worstOf(std::span<const CellLoss> cells, size_t count) { return worst(cells, count); }
+std::vector<size_t> worstOf(std::span<const TriangleLoss> triangles, size_t count) { return worst(triangles, count); }
+std::vector<size_t> worstOf(std::span<const GroupLoss> groups, size_t count) { return worst(groups, count); }
+
+}  // namespace gridscope
