@@ -6,14 +6,10 @@ namespace gridscope {
 
 namespace {
 
-#define ON_SEGMENT(segment, start, cell, outcome) record.steps.push_back({segment, start, cell, outcome, {}})
-#define ON_TEST(slot, reference, test, alphaByte) \
-  record.steps.back().tests.push_back({uint(slot), reference, test.verdict, test.t, alphaByte})
-#define ON_CELL(storedCount, isSaturated, travelled) \
-  record.steps.back().stored = storedCount, record.steps.back().saturated = isSaturated, record.steps.back().travel = travelled
 struct RecordingTrace : TraceLoads {
   using TraceLoads::TraceLoads;
   RayRecord record;
+#include "core/record_hooks.h"
 #include "shaders/shared/traverse.h"
 };
 

@@ -5,6 +5,16 @@
 //     ON_SEGMENT(segment, start, cell, outcome)  a segment was begun; outcome: kStep...
 //     ON_TEST(slot, reference, test, alphaByte)  a reference was tested
 //     ON_CELL(stored, saturated, travel)         a cell's references are done; travel: the value that the gate compares
+//   what a trace may do differently (core/truth_edits.cpp takes events away with these), each a macro that may be left out, changes nothing
+//   then, and is gone after the include:
+//     SLOT_COUNT(cell)                           slots that are read of a cell
+//     SLOT_LOAD(cell, slot)                      the reference that a slot shows
+//     SLOTS_STORED(cell, count)                  of the references read, how many the cell holds
+//     QUERY_WINDOW(cell, window)                 where along the ray a segment's query accepts hits
+//     EDIT_CELL_HIT(state, best)                 a cell's nearest hit is known: a statement
+//     GATE_OPEN(cell, open)                      may the cell's gap be filled?
+//     REVISIT_SKIPS(segment, skips)              is a segment skipped, its cell being the one visited last?
+//     INSERT_SEGMENT(segment, state, found)      a segment is next: statements, which may return another one, found, before it
 // No include guard: C++ includes it inside a class that has these functions.
 // Sources: Abdollah-shamshir-saz, Hybrid Ray/Voxel-Tracing Fixed Capacity Grids, 2020; Amanatides and Woo, A Fast Voxel Traversal
 // Algorithm for Ray Tracing, 1987.
@@ -20,6 +30,31 @@
 #endif
 #ifndef ON_CELL
 #define ON_CELL(stored, saturated, travel)
+#endif
+
+#ifndef SLOT_COUNT
+#define SLOT_COUNT(cell) grid.capacity
+#endif
+#ifndef SLOT_LOAD
+#define SLOT_LOAD(cell, slot) slotLoad(gridTexel(grid, cell, slot))
+#endif
+#ifndef SLOTS_STORED
+#define SLOTS_STORED(cell, count) count
+#endif
+#ifndef QUERY_WINDOW
+#define QUERY_WINDOW(cell, window) window
+#endif
+#ifndef EDIT_CELL_HIT
+#define EDIT_CELL_HIT(state, best)
+#endif
+#ifndef GATE_OPEN
+#define GATE_OPEN(cell, open) (open)
+#endif
+#ifndef REVISIT_SKIPS
+#define REVISIT_SKIPS(segment, skips) (skips)
+#endif
+#ifndef INSERT_SEGMENT
+#define INSERT_SEGMENT(segment, state, found)
 #endif
 
 #include "alpha.h"
@@ -65,8 +100,8 @@ SHARED Hit finishHit(Ray ray, Hit hit) {
 SHARED CellHit testCell(GridParameters grid, Ray ray, ivec3 cell, CellHit best, vec2 window, bool keyed) {
   uint reference = kBlank;
   int slot = 0;
-  for (; slot < grid.capacity; ++slot) {
-    reference = slotLoad(gridTexel(grid, cell, slot));
+  for (; slot < SLOT_COUNT(cell); ++slot) {
+    reference = SLOT_LOAD(cell, slot);
     if (reference == kBlank) break;
 
     Triangle triangle = loadReferenced(reference);
@@ -85,8 +120,8 @@ SHARED CellHit testCell(GridParameters grid, Ray ray, ivec3 cell, CellHit best, 
     ON_TEST(slot, reference, test, alphaByte);
     best.lastReference = reference;
   }
-  best.stored = slot;
-  best.cut = slot < grid.capacity && reference != kBlank;
+  best.stored = SLOTS_STORED(cell, slot);
+  best.cut = slot < SLOT_COUNT(cell) && reference != kBlank;
   return best;
 }
 
@@ -170,6 +205,7 @@ SHARED FoundSegment nextSegment(GridParameters grid, TraceParameters trace, Ray 
   while (taken < trace.segmentsPerPass) {
     taken += 1u;
     int segment = state.segment;
+    INSERT_SEGMENT(segment, state, found)
     if (uint(segment - span.x) >= trace.maxSegments) {
       found.kind = kHitLimit;
       return found;
@@ -187,12 +223,12 @@ SHARED FoundSegment nextSegment(GridParameters grid, TraceParameters trace, Ray 
     }
 
     // Skip the cell visited last.
-    if (cell == state.cell) {
+    if (REVISIT_SKIPS(segment, cell == state.cell)) {
       ON_SEGMENT(segment, found.start, cell, kStepRevisit);
       continue;
     }
     state.cell = cell;
-    if (slotLoad(gridTexel(grid, cell, 0)) == kBlank) {
+    if (SLOT_LOAD(cell, 0) == kBlank) {
       ON_SEGMENT(segment, found.start, cell, kStepEmpty);
       continue;
     }
@@ -220,15 +256,17 @@ SHARED Hit traceSegments(GridParameters grid, TraceParameters trace, Ray ray, IN
     CellHit best;
     best.t = kFar;
     best.reference = kBlank;
-    best = queryCell(grid, ray, state.cell, best, vec2(max(trace.tMin, found.start - trace.back), found.start + trace.ahead));
+    best = queryCell(grid, ray, state.cell, best,
+                     QUERY_WINDOW(state.cell, vec2(max(trace.tMin, found.start - trace.back), found.start + trace.ahead)));
     if (best.cut) return missedHit(kHitCut);
+    EDIT_CELL_HIT(state, best)
 
     // A saturated cell without a hit may have lost the triangle: fill the gap, once the launching surface's cells are left behind.
     bool saturated = cellSaturated(grid, state.cell, best.stored);
     float travel = found.start * climb;
     ON_CELL(best.stored, saturated, travel);
     if (best.reference != kBlank) return makeHit(kHitTriangle, best.t, best.reference);
-    if (saturated && trace.gapFill != 0u && travel > trace.gate)
+    if (saturated && trace.gapFill != 0u && GATE_OPEN(state.cell, travel > trace.gate))
       return makeHit(kHitVoxel, found.start + 0.5f * grid.cellEdge, best.lastReference);
   }
   return missedHit(kHitCut);
@@ -281,7 +319,7 @@ SHARED uint nextCell(GridParameters grid, TraceParameters trace, Ray ray, vec3 i
       return kHitMiss;
     }
     if (uint(state.segment) >= trace.maxSegments) return kHitLimit;
-    if (slotLoad(gridTexel(grid, state.cell, 0)) != kBlank) {
+    if (SLOT_LOAD(state.cell, 0) != kBlank) {
       ON_SEGMENT(state.segment, state.enter, state.cell, kStepRead);
       return kHitTriangle;
     }
@@ -311,6 +349,7 @@ SHARED Hit traceCells(GridParameters grid, TraceParameters trace, Ray ray, INOUT
     best.reference = state.reference;
     best = queryCell(grid, ray, state.cell, best, vec2(trace.tMin, kFar));
     if (best.cut) return missedHit(kHitCut);
+    EDIT_CELL_HIT(state, best)
     state.t = best.t;
     state.reference = best.reference;
 
@@ -320,7 +359,7 @@ SHARED Hit traceCells(GridParameters grid, TraceParameters trace, Ray ray, INOUT
     ON_CELL(best.stored, saturated, travel);
     int axis;
     float leave = leaveCell(grid, ray, state.cell, inverse, axis);
-    if (saturated && best.reference == kBlank && trace.gapFill != 0u && travel > trace.gate)
+    if (saturated && best.reference == kBlank && trace.gapFill != 0u && GATE_OPEN(state.cell, travel > trace.gate))
       return makeHit(kHitVoxel, 0.5f * (state.enter + leave), best.lastReference);
     if (state.reference != kBlank && state.t <= leave) return makeHit(kHitTriangle, state.t, state.reference);
     enterNext(ray, axis, leave, state);
@@ -338,3 +377,11 @@ SHARED Hit traceRay(GridParameters grid, TraceParameters trace, Ray ray, INOUT(T
 #undef ON_TEST
 #undef ON_CELL
 #undef TESTS_WATCHED
+#undef SLOT_COUNT
+#undef SLOT_LOAD
+#undef SLOTS_STORED
+#undef QUERY_WINDOW
+#undef EDIT_CELL_HIT
+#undef GATE_OPEN
+#undef REVISIT_SKIPS
+#undef INSERT_SEGMENT
