@@ -115,14 +115,22 @@ ValueRange parseRange(const std::string& text) {
   return range;
 }
 
+// all: what needs nothing beside the frame; truth: what the truth of the frame's rays paints.
+bool isMeant(const View& view, const std::string& name) {
+  if (name == "all") return view.need == ViewNeed::nothing;
+  if (name == "truth") return view.need == ViewNeed::truth || view.need == ViewNeed::triangleCosts;
+  return name == view.name;
+}
+
 std::vector<const View*> parseViews(const std::string& text) {
   std::vector<const View*> views;
   std::vector<std::string> names;
   for (const View& view : allViews()) names.emplace_back(view.name);
   for (const std::string& name : splitText(text, ',')) {
-    if (name != "all" && !findView(name)) throw Error("--view " + text + ": there is no view '" + name + "'; give all, or some of " + joined(names, ","));
+    const bool isGroup = name == "all" || name == "truth";
+    if (!isGroup && !findView(name)) throw Error("--view " + text + ": there is no view '" + name + "'; give all, truth, or some of " + joined(names, ","));
     for (const View& view : allViews())
-      if ((name == "all" || name == view.name) && std::ranges::find(views, &view) == views.end()) views.push_back(&view);
+      if (isMeant(view, name) && std::ranges::find(views, &view) == views.end()) views.push_back(&view);
   }
   return views;
 }
@@ -226,13 +234,13 @@ void addPictureOptions(CLI::App& command, Options& options) {
   OptionGroup group(command, "Pictures");
   std::vector<std::string> names;
   for (const View& view : allViews()) names.emplace_back(view.name);
-  group.text("--view", "NAME[,NAME...]|all", "final", "Views to write: " + joined(names, ", "),
+  group.text("--view", "NAME[,NAME...]|all|truth", "final", "Views to write: " + joined(names, ", ") + "; all: those that need nothing beside the frame; truth: verdict, cause, error, lost",
              [&](const std::string& given) { options.views = parseViews(given); });
   options.views = parseViews("final");
   group.text("--out", "DIR", options.out.string(), "Folder of the pictures: DIR/VIEW.png; with several frames DIR/VIEW.0000.png",
              [&](const std::string& given) { options.out = given; });
   group.whole("--frames", options.frames, {1, kMostFrames}, std::to_string(options.frames), "How many");
-  group.text("--slice", "x|y|z:INDEX", "y, the middle", "Layer of cells that the view slice shows",
+  group.text("--slice", "x|y|z:INDEX", "y, the middle", "Layer of cells that the views slice and NAME-slice show",
              [&](const std::string& given) { options.slice = parseSlice(given); });
   group.text("--range", "MIN:MAX", "the view's own", "Values at the ends of the colour map, in the view's unit",
              [&](const std::string& given) { options.range = parseRange(given); });

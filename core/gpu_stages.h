@@ -59,6 +59,12 @@ class GpuStages {
   std::vector<T> read(int binding, size_t count) { return download<T>(gpu_, buffers_[binding], count); }
   template <typename T>
   void write(int binding, std::span<const T> values) { upload(gpu_, buffers_[binding], values); }
+  // The same for a buffer that is made when it is first written, or grows.
+  template <typename T>
+  void keep(int binding, const std::string& name, std::span<const T> values) {
+    if (buffers_[binding].byteCount() < values.size_bytes()) makeBuffer(binding, name, values.size_bytes());
+    write(binding, values);
+  }
 
  private:
   void makeBuffer(int binding, const std::string& name, uint64_t byteCount);

@@ -184,6 +184,33 @@ void Pipeline::useCounters(std::span<const RayCounters> counters) {
   stages_->write(kBindCounters, counters);
 }
 
+void Pipeline::useTruths(std::span<const RayTruth> truths) {
+  CHECK_EQ(truths.size(), rayCount());
+  stages_->keep(kBindTruths, "truths", truths);
+}
+
+void Pipeline::useTriangleCosts(std::span<const uint32_t> rays) {
+  CHECK_EQ(rays.size(), numbered_.triangleCount);
+  stages_->keep(kBindTriangleCosts, "triangle costs", rays);
+}
+
+void Pipeline::useCellRays(std::span<const CellRays> cells) {
+  CHECK_EQ(cells.size(), cellCountOf(parameters_.grid));
+  stages_->keep(kBindCellRays, "cell rays", cells);
+}
+
+void Pipeline::useStability(std::span<const uint32_t> cells, std::span<const uint32_t> rays) {
+  CHECK_EQ(cells.size(), cellCountOf(parameters_.grid));
+  CHECK_EQ(rays.size(), rayCount());
+  stages_->keep(kBindStableCells, "stable cells", cells);
+  stages_->keep(kBindStableRays, "stable rays", rays);
+}
+
+void Pipeline::useCellUpdates(std::span<const CellUpdate> cells) {
+  CHECK_EQ(cells.size(), cellCountOf(parameters_.grid));
+  stages_->keep(kBindCellUpdates, "cell updates", cells);
+}
+
 void Pipeline::trace(bool counting) {
   if (device_ == StageDevice::vulkan) {
     stages_->setParameters(parameters_);
@@ -202,7 +229,7 @@ void Pipeline::trace(bool counting) {
 }
 
 Pipeline::ViewImage Pipeline::view(std::string_view name, const SliceSettings& slice, bool readsGrid) {
-  bool isSlice = name == "slice";
+  bool isSlice = name == "slice" || name.ends_with("-slice");
   ivec3 cells = parameters_.grid.cellCount;
   int layer = slice.index < 0 ? cells[slice.axis] / 2 : slice.index;
   if (layer >= cells[slice.axis])

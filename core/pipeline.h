@@ -16,6 +16,7 @@
 #include "core/scene.h"
 #include "core/settings.h"
 #include "core/trace.h"
+#include "shaders/shared/findings.h"
 #include "shaders/shared/view_element.h"
 
 namespace gridscope {
@@ -73,12 +74,20 @@ class Pipeline {
   void useHits(std::span<const Hit> hits);
   void useCounters(std::span<const RayCounters> counters);
 
+  // What was found out about the frame, for the views that need it (View::need). Nothing here says when it is out of date.
+  void useTruths(std::span<const RayTruth> truths);              // one a pixel
+  void useTriangleCosts(std::span<const uint32_t> rays);         // lost to each world triangle
+  void useCellRays(std::span<const CellRays> cells);             // x fastest, as all that is told of cells
+  void useStability(std::span<const uint32_t> cells, std::span<const uint32_t> rays);  // kStable... of each cell; 1 for a ray that changes
+  void useCellUpdates(std::span<const CellUpdate> cells);
+
   // Elements of a view over the present products: one a pixel, or one a cell of the slice.
   struct ViewImage {
     uint32_t width;
     uint32_t height;
     std::vector<ViewElement> elements;         // row by row, first row at the top (slice: see sliceSize())
   };
+  // Views of a layer of cells are `slice` and those whose names end in "-slice".
   // readsGrid: with StageDevice::cpu the grid is brought to the device first, where it must fit.
   ViewImage view(std::string_view name, const SliceSettings& slice = {}, bool readsGrid = true);
 

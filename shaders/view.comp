@@ -6,6 +6,7 @@
 #include "bindings.glsl"
 #include "products.glsl"
 #include "shared/view_element.h"
+#include "findings.glsl"
 
 layout(scalar, set = 0, binding = kBindViewElements) writeonly buffer ViewElementsBuffer { ViewElement viewElements[]; };
 

@@ -111,6 +111,7 @@ TEST_P(CommittedCapture, EveryViewLooksLikeItsGoldenPicture) {
   const bool update = std::getenv("GRIDSCOPE_UPDATE_GOLDEN") != nullptr;
   if (update) fs::create_directories(kGolden);
   for (const View& view : allViews()) {
+    if (view.need != ViewNeed::nothing) continue;
     const fs::path golden = kGolden / (GetParam().stem().string() + "." + std::string(view.name) + ".png");
     const Picture picture = viewPicture(pipeline, view);
     if (update) writePng(golden.string(), picture);

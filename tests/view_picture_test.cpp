@@ -1,6 +1,7 @@
 // From elements to pictures: ranges, marks, slices, and the list of views.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 
@@ -27,9 +28,10 @@ TEST(Views, AreListedOnceEachAndFoundByName) {
     EXPECT_EQ(findView(view.name), &view);
     EXPECT_FALSE(view.title.empty() || view.about.empty()) << view.name;
     EXPECT_EQ(view.unit.empty(), view.range == ViewRange::none) << view.name;
+    EXPECT_EQ(view.scope == ViewScope::slice, view.name == "slice" || view.name.ends_with("-slice")) << view.name;
   }
   EXPECT_EQ(names.size(), allViews().size());
-  EXPECT_EQ(allViews().size(), 14u);
+  EXPECT_EQ(std::ranges::count(allViews(), ViewNeed::nothing, &View::need), 14);
   EXPECT_EQ(allViews().front().name, "final");
   EXPECT_EQ(findView("finale"), nullptr);
   EXPECT_EQ(findView(""), nullptr);

@@ -35,6 +35,7 @@ class ViewsTest : public GpuTest {
 
 TEST_F(ViewsTest, EveryViewOfTheListGivesAPictureThatIsNotOfOneColour) {
   for (const View& view : allViews()) {
+    if (view.need != ViewNeed::nothing) continue;
     SCOPED_TRACE(view.name);
     Pipeline::ViewImage image = pipeline_->view(view.name, {}, view.needsGrid);
     ViewPictureSettings settings;

@@ -8,11 +8,12 @@
 
 #include "core/error.h"
 #include "shaders/shared/palette.h"
+#include "shaders/shared/truth_colours.h"
 #include "views/fonts.h"
 
 namespace gridscope {
 
-static constexpr Meaning kMeanings[] = {
+static const Meaning kMeanings[] = {
     {"triangle hit", "triangle hit", kColourTriangleHit, Swatch::square},
     {"voxel hit", "voxel hit (gap filled)", kColourVoxelHit, Swatch::diamond},
     {"miss", "miss", kColourMiss, Swatch::square},
@@ -27,6 +28,26 @@ static constexpr Meaning kMeanings[] = {
     {"too far", "too far", kColourTooFar, Swatch::square},
     {"too near", "too near", kColourTooNear, Swatch::square},
     {"gate", "gate", kColourGate, Swatch::line},
+    {"refused", "refused", kColourSaturated, Swatch::hatch},
+    {"stepped over", "stepped over", causeColour(kCauseSteppedOver), Swatch::square},
+    {"segment end", "segment end", causeColour(kCauseSegmentEnd), Swatch::square},
+    {"accepted early", "accepted early", causeColour(kCauseAcceptedEarly), Swatch::square},
+    {"filled early", "filled early", causeColour(kCauseFilledEarly), Swatch::diamond},
+    {"alpha", "alpha", causeColour(kCauseAlpha), Swatch::dot},
+    {"self-hit", "self-hit", causeColour(kCauseSelfHit), Swatch::square},
+    {"outside", "outside the grid", causeColour(kCauseOutside), Swatch::square},
+    {"left out", "left out", causeColour(kCauseLeftOut), Swatch::square},
+    {"stale", "stale", causeColour(kCauseStale), Swatch::ring},
+    {"not inserted", "not inserted", causeColour(kCauseNotInserted), Swatch::diamond},
+    {"segment limit", "segment limit", causeColour(kCauseSegmentLimit), Swatch::line},
+    {"numeric", "numeric", causeColour(kCauseNumeric), Swatch::dot},
+    {"ray changes", "the ray's result changes", kColourRayChanges, Swatch::diamond},
+    {"set differs", "the cell holds other references", kColourSetDiffers, Swatch::square},
+    {"order differs", "the same in another order", kColourOrderDiffers, Swatch::line},
+    {"filled", "filled: the instance's colour", kColourDim, Swatch::square},
+    {"cleared", "only cleared: hatched", kColourDim, Swatch::line},
+    {"cleared dark", "only cleared: darker", kColourEmpty, Swatch::dot},
+    {"kept", "holds what it held: dim", kColourLine, Swatch::square},
 };
 
 // Pixels.

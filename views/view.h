@@ -34,6 +34,16 @@ enum class ViewRange {
   capacity,   // 0 to the grid's capacity
 };
 
+// What a view reads beside the frame's products; findings.glsl. It costs a person's wait, so that it is made only when it is shown.
+enum class ViewNeed {
+  nothing,
+  truth,          // Pipeline::useTruths
+  triangleCosts,  // Pipeline::useTriangleCosts: of the truth
+  cellRays,       // Pipeline::useCellRays
+  stability,      // Pipeline::useStability: of builds that add references first-come
+  cellUpdates,    // Pipeline::useCellUpdates
+};
+
 struct View {
   std::string_view name;     // of the command line and the file
   std::string_view title;    // of the legend and the window
@@ -43,6 +53,7 @@ struct View {
   ViewRange range = ViewRange::none;
   bool needsCounters = false;        // asks for the counting trace
   bool needsGrid = false;            // reads the grid's cells: with --device cpu the device must hold a copy
+  ViewNeed need = ViewNeed::nothing;
   std::string_view marks = "";       // what kMark... elements mean, "saturated (refused)" say; empty: none
 };
 

@@ -32,7 +32,13 @@ const int kBindMovedInstances = 22;   // bits: instance moved
 const int kBindCellMarks = 23;        // bits of update `moved`, a word a cell
 const int kBindRayRecord = 24;        // words of the recording trace
 const int kBindUpdateCounts = 25;     // words: cells touched, cells rebuilt (update `moved`)
-const int kBindingCount = 26;
+const int kBindTruths = 26;           // RayTruth
+const int kBindTriangleCosts = 27;    // uint: rays lost to each world triangle
+const int kBindCellRays = 28;         // CellRays, a cell (x fastest)
+const int kBindStableCells = 29;      // uint: kStable... of each cell, first-come builds
+const int kBindStableRays = 30;       // uint: 1: the ray's result changes among the builds
+const int kBindCellUpdates = 31;      // CellUpdate, a cell
+const int kBindingCount = 32;
 
 END_SHARED
 

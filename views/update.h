@@ -1,0 +1,20 @@
+// What the last update changed in the cells at the surfaces.
+#ifdef __cplusplus
+{.name = "update",
+ .title = "Cells that the last update changed",
+ .unit = "",
+ .about = "In the colour of the instance that caused it: filled cells; hatched, cells that were only cleared; dim, cells that hold what they held.",
+ .scope = ViewScope::surface,
+ .needsGrid = true,
+ .need = ViewNeed::cellUpdates,
+ .marks = "filled, cleared, kept"},
+#else
+ViewElement viewElement(uint pixel) {
+  GatherPixel seen = gatherPixels[pixel];
+  if (seen.reference == kBlank) return noElement();
+  ivec3 cell = surfaceCell(seen);
+  CellUpdate update = gridContains(gridParameters(), cell) ? updateOf(cell) : CellUpdate(0u, 0u, 0u, kBlank);
+  if (update.instance == kBlank) return litElement(paintedElement(colourElement(unpackColour(kColourLine)), seen), 0.5);
+  return paintedElement(updateElement(update, uvec2(pixel % parameters.view.width, pixel / parameters.view.width)), seen);
+}
+#endif
