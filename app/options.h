@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "app/budget.h"
 #include "core/built_in_scenes.h"
 #include "core/capture.h"
 #include "core/pipeline.h"
@@ -76,6 +77,8 @@ struct Options {
   bool legend = true;
   bool checkCpu = false;
   uint32_t checkExact = 0;               // rays to compare with the nearest hit among all triangles; 0: none
+  std::vector<Budget> budgets;             // of --fail-if
+  uint32_t stability = 0;                  // first-come builds to compare; 0: none
   std::string json;                        // file; "-": standard output; empty: none
   uint32_t runs = 20;                      // of each stage (bench)
 
