@@ -44,6 +44,12 @@ int runRay(const Options& options);
 void addUpdateCapturesOptions(CLI::App& command, Options& options);
 int runUpdateCaptures(const Options& options);
 
+void addTuneOptions(CLI::App& command, Options& options);
+int runTune(const Options& options);
+
+void addReportOptions(CLI::App& command, Options& options);
+int runReport(const Options& options);
+
 inline constexpr Command kCommands[] = {
     {"render", "Run all stages on a scene: pictures of its views, and statistics", addRenderOptions, runRender},
     {"scenes", "List the built-in scenes", addScenesOptions, runScenes},
@@ -54,6 +60,8 @@ inline constexpr Command kCommands[] = {
     {"replay", "Run the stages of captures again and compare every product bit for bit", addReplayOptions, runReplay},
     {"diff", "Compare two captures by meaning", addDiffOptions, runDiff},
     {"ray", "Follow one ray step by step", addRayOptions, runRay},
+    {"tune", "Try other grids and constants on a scene: what each costs in memory, time and wrong rays", addTuneOptions, runTune},
+    {"report", "A page about a frame: settings, pictures, statistics, plots, what was lost and what it cost", addReportOptions, runReport},
     {"update-captures", "Rerecord the captures of a folder after a wanted change, and say what changed", addUpdateCapturesOptions, runUpdateCaptures},
 };
 

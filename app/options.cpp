@@ -70,11 +70,47 @@ class OptionGroup {
     });
   }
 
+  // Lists with a comma between the values.
+  void wholes(const std::string& name, std::vector<uint32_t>& target, WholeRange range, const std::string& about) {
+    std::vector<std::string> shown;
+    for (uint32_t value : target) shown.push_back(std::to_string(value));
+    list(name, "N", target, shown, about, [name, range](const std::string& one) { return parseWhole(name, one, range); });
+  }
+
+  void numbers(const std::string& name, std::vector<float>& target, NumberRange range, const std::string& about) {
+    std::vector<std::string> shown;
+    for (float value : target) shown.push_back(shownDefault(value));
+    list(name, "EDGES", target, shown, about, [name, range](const std::string& one) { return static_cast<float>(parseNumber(name, one, range)); });
+  }
+
+  template <class Value>
+  void choices(const std::string& name, std::vector<Value>& target, std::vector<Choice<Value>> known, const std::string& about) {
+    std::vector<std::string> names;
+    for (const auto& one : known) names.emplace_back(one.name);
+    list(name, joined(names, "|").c_str(), target, names, about, [name, names, known](const std::string& given) {
+      const auto found = std::ranges::find_if(known, [&](const auto& one) { return given == one.name; });
+      if (found == known.end()) throw Error(name + " " + given + ": give some of " + joined(names, ","));
+      return found->value;
+    });
+  }
+
   void flag(const std::string& name, bool& target, bool value, const std::string& about) {
     command_.add_flag_function(name, [&target, value](int64_t) { target = value; }, about)->group(group_);
   }
 
  private:
+  template <class Value, class Parse>
+  void list(const std::string& name, const char* type, std::vector<Value>& target, const std::vector<std::string>& shown, const std::string& about,
+            Parse parse) {
+    text(name, (std::string(type) + "[,...]").c_str(), joined(shown, ","), about, [&target, parse](const std::string& given) {
+      target.clear();
+      for (const std::string& one : splitText(given, ',')) {
+        const Value value = parse(one);
+        if (std::ranges::find(target, value) == target.end()) target.push_back(value);
+      }
+    });
+  }
+
   static float valueOf(float);
   static float valueOf(const std::optional<float>&);
   static double valueOf(double);
@@ -310,6 +346,31 @@ void addPixelOption(CLI::App& command, Options& options) {
   });
 }
 
+void addTuneChoices(CLI::App& command, Options& options) {
+  OptionGroup group(command, "Sweep");
+  TuneAxes& axes = options.tune.axes;
+  group.wholes("--cells-axis", axes.cells, {.low = 1}, "Cells along the longest side to try");
+  group.wholes("--capacity-axis", axes.capacities, {.low = 1}, "Capacities to try");
+  group.choices<uint32_t>("--overlap-axis", axes.overlaps, {{"plane", kOverlapPlane}, {"exact", kOverlapExact}}, "Overlap tests to try");
+  group.choices<NumberBy>("--number-by-axis", axes.numberings, {{"file", NumberBy::file}, {"area", NumberBy::area}}, "Numberings to try");
+  group.choices<uint32_t>("--traversal-axis", axes.traversals, {{"segment", kTraversalSegment}, {"dda", kTraversalDda}},
+                          "Traversals to try on the best grid");
+  const NumberRange edges{0.0, 1e6};
+  group.numbers("--back-axis", axes.backs, edges, "Likewise, how far a segment reaches back, in cell edges");
+  group.numbers("--ahead-axis", axes.aheads, edges, "Likewise, how far it reaches beyond its end");
+  group.numbers("--gate-axis", axes.gates, edges, "Likewise, the gate of gap-filling");
+  group.whole("--runs", options.tune.runs, {1, 1000}, std::to_string(options.tune.runs), "Timed runs of each build and trace; long ones get fewer");
+  group.text("--csv", "FILE", "", "All settings, a line each", [&](const std::string& given) { options.tune.csv = given; });
+  group.text("--plot", "FILE.svg|.png", "", "Memory and trace time against wrong rays",
+             [&](const std::string& given) { options.tune.plot = given; });
+}
+
+void addPageOption(CLI::App& command, Options& options) {
+  options.page = "report.html";
+  OptionGroup(command, "Results").text("-o,--output", "FILE.html", options.page.string(), "The page to write",
+                                       [&](const std::string& given) { options.page = given; });
+}
+
 void checkOptions(const Options& options) {
   if (options.cells && options.cellEdge) throw Error("--cells and --cell-edge both say how fine the grid is; give one of them");
   if (options.moving && options.teapots == 0) throw Error("--moving: there are no added teapots that could move; give --teapots N too");
@@ -319,6 +380,7 @@ void checkOptions(const Options& options) {
 
 FrameSettings settingsOf(const Options& options, const BuiltInScene* builtIn) {
   FrameSettings settings = options.settings;
+  if (options.sizeByDefault) settings.width = options.sizeByDefault->width, settings.height = options.sizeByDefault->height;
 
   // What the lesson needs. Cells and cell edge say the same thing: one that is given replaces both.
   if (builtIn) {

@@ -13,6 +13,7 @@
 #include "core/pipeline.h"
 #include "core/replay.h"
 #include "core/settings.h"
+#include "core/tune.h"
 #include "views/picture.h"
 #include "views/view.h"
 
@@ -46,6 +47,14 @@ struct CaptureOptions {
   uint32_t pixelY = 0;
 };
 
+// What a sweep is told.
+struct TuneOptions {
+  TuneAxes axes;
+  uint32_t runs = 3;                            // timed ones of build and trace
+  std::filesystem::path csv;                    // file; empty: none
+  std::filesystem::path plot;                   // .svg or .png; empty: none
+};
+
 struct Options {
   // Scene.
   std::string scene = "hall";              // path of a .gltf or .glb, or a built-in scene's name
@@ -59,6 +68,7 @@ struct Options {
   // Settings; those that a built-in scene may bring are apart, because what is given here goes first.
   FrameSettings settings;
   std::optional<FrameSize> size;
+  std::optional<FrameSize> sizeByDefault;  // a command's own, in place of the settings'
   std::optional<uint32_t> cells;
   std::optional<float> cellEdge;
   std::optional<uint32_t> capacity;
@@ -83,6 +93,8 @@ struct Options {
   uint32_t runs = 20;                      // of each stage (bench)
 
   CaptureOptions captures;
+  TuneOptions tune;
+  std::filesystem::path page;              // of `report`
   std::vector<std::string> given;          // names of the options on the command line
 
   bool onCpu() const { return device == "cpu"; }
@@ -120,6 +132,12 @@ void addReplayChoices(CLI::App& command, Options& options);
 
 // Offers --pixel.
 void addPixelOption(CLI::App& command, Options& options);
+
+// Offers the axes of a sweep, --runs, --csv and --plot.
+void addTuneChoices(CLI::App& command, Options& options);
+
+// Offers -o, the page that is written.
+void addPageOption(CLI::App& command, Options& options);
 
 // Options that do not go together; throws Error.
 void checkOptions(const Options& options);

@@ -17,6 +17,9 @@ class Progress {
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
+  // From here on there are that many steps.
+  void plan(uint64_t steps) { planned_ = steps, begun_ = 0; }
+
   // A step begins.
   void step(const std::string& what) {
     if (!terminal_) return;

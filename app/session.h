@@ -19,6 +19,7 @@ class Session {
   Pipeline& pipeline() { return pipeline_; }
   const Pipeline& pipeline() const { return pipeline_; }
   const Scene& scene() const { return loaded_.scene; }  // of a capture: its name, materials and warnings alone
+  GpuContext& gpu() { return gpu_; }
   const Capture* capture() const { return capture_ ? &*capture_ : nullptr; }  // nullptr: runs on a scene
   CaptureNames names() const;
   Bounds bounds() const;                             // that the grid is made for

@@ -102,7 +102,21 @@ class Painter {
   Picture picture_;
 };
 
+void move(DrawnBox& box, DrawingPoint by) { box.corner = {box.corner.x + by.x, box.corner.y + by.y}; }
+void move(DrawnMark& mark, DrawingPoint by) { mark.centre = {mark.centre.x + by.x, mark.centre.y + by.y}; }
+void move(DrawnText& text, DrawingPoint by) { text.place = {text.place.x + by.x, text.place.y + by.y}; }
+void move(DrawnLine& line, DrawingPoint by) {
+  for (DrawingPoint& point : line.points) point = {point.x + by.x, point.y + by.y};
+}
+
 }  // namespace
+
+void place(Drawing& drawing, const Drawing& part, DrawingPoint at) {
+  for (DrawnShape shape : part.shapes) {
+    std::visit([&](auto& one) { move(one, at); }, shape);
+    drawing.shapes.push_back(std::move(shape));
+  }
+}
 
 Picture pictureOf(const Drawing& drawing, float scale) { return Painter(drawing, scale).paint(drawing); }
 

@@ -61,6 +61,9 @@ struct Drawing {
   std::vector<DrawnShape> shapes;        // later ones over earlier ones
 };
 
+// Adds all shapes of `part`, moved by `at`.
+void place(Drawing& drawing, const Drawing& part, DrawingPoint at);
+
 // A whole SVG element. `themed`: for a page that sets --text, --dim, --line, --panel and the meanings' colours as custom properties: a
 // colour of the palette then names its property, so that the drawing follows the page's theme; other colours stay as they are.
 std::string svgOf(const Drawing& drawing, bool themed = false);
