@@ -41,6 +41,9 @@ int runDiff(const Options& options);
 void addRayOptions(CLI::App& command, Options& options);
 int runRay(const Options& options);
 
+void addExplainOptions(CLI::App& command, Options& options);
+int runExplain(const Options& options);
+
 void addUpdateCapturesOptions(CLI::App& command, Options& options);
 int runUpdateCaptures(const Options& options);
 
@@ -62,6 +65,7 @@ inline constexpr Command kCommands[] = {
     {"ray", "Follow one ray step by step", addRayOptions, runRay},
     {"tune", "Try other grids and constants on a scene: what each costs in memory, time and wrong rays", addTuneOptions, runTune},
     {"report", "A page about a frame: settings, pictures, statistics, plots, what was lost and what it cost", addReportOptions, runReport},
+    {"explain", "Say why rays differ from the exact answer: verdicts, causes and their proof", addExplainOptions, runExplain},
     {"update-captures", "Rerecord the captures of a folder after a wanted change, and say what changed", addUpdateCapturesOptions, runUpdateCaptures},
 };
 

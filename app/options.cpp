@@ -369,6 +369,10 @@ void addPageOption(CLI::App& command, Options& options) {
   options.page = "report.html";
   OptionGroup(command, "Results").text("-o,--output", "FILE.html", options.page.string(), "The page to write",
                                        [&](const std::string& given) { options.page = given; });
+void addTruthOptions(CLI::App& command, Options& options) {
+  OptionGroup group(command, "Truth");
+  group.flag("--verify", options.verify, true, "Prove every cause: trace the ray again without that event");
+  group.whole("--worst", options.worst, {0, 1000000}, std::to_string(options.worst), "How many of the worst rays to list");
 }
 
 void checkOptions(const Options& options) {

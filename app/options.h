@@ -95,6 +95,8 @@ struct Options {
   CaptureOptions captures;
   TuneOptions tune;
   std::filesystem::path page;              // of `report`
+  bool verify = false;                     // prove causes (explain)
+  uint32_t worst = 10;                     // rays that explain lists
   std::vector<std::string> given;          // names of the options on the command line
 
   bool onCpu() const { return device == "cpu"; }
@@ -138,6 +140,8 @@ void addTuneChoices(CLI::App& command, Options& options);
 
 // Offers -o, the page that is written.
 void addPageOption(CLI::App& command, Options& options);
+// Offers --verify and --worst.
+void addTruthOptions(CLI::App& command, Options& options);
 
 // Options that do not go together; throws Error.
 void checkOptions(const Options& options);

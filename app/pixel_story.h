@@ -40,6 +40,9 @@ std::vector<StoryPart> tellPixel(const StoryInput& input);
 // The first sentence alone: verdict and cause.
 std::vector<StoryPart> tellVerdict(const StoryInput& input);
 
+// What a person calls the mesh that a reference's triangle belongs to.
+std::string meshText(const NumberedScene& scene, const CaptureNames& names, uint32_t reference);
+
 std::string plainText(const std::vector<StoryPart>& parts);
 
 }  // namespace gridscope

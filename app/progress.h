@@ -22,12 +22,18 @@ class Progress {
 
   // A step begins.
   void step(const std::string& what) {
+    ++begun_;
+    say(what);
+  }
+
+  // What is being done in the present step.
+  void say(const std::string& what) {
     if (!terminal_) return;
-    const uint64_t full = planned_ == 0 ? 0 : std::min(kWidth, begun_ * kWidth / planned_);
+    const uint64_t before = begun_ == 0 ? 0 : begun_ - 1;
+    const uint64_t full = planned_ == 0 ? 0 : std::min(kWidth, before * kWidth / planned_);
     const std::string bar = std::string(full, '#') + std::string(kWidth - full, '.');
     std::fprintf(stderr, "\r\033[K[%s] %s", bar.c_str(), what.c_str());
     std::fflush(stderr);
-    ++begun_;
     drawn_ = true;
   }
 

@@ -2,6 +2,7 @@
 #include "core/frame_truth.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/parallel.h"
 
@@ -46,6 +47,32 @@ FrameTruth tellFrame(Pipeline& pipeline, const TruthProgress& progress) {
 
 ProofTotals proveFrame(const FrameTruth& frame, const TruthProgress& progress) {
   return proveFrame(frame.input(), frame.exact, frame.rays, frame.truths, progress);
+}
+
+float distanceOff(const FrameTruth& frame, uint32_t ray) {
+  const RayTruth& truth = frame.truths[ray];
+  const Hit &hit = frame.hits[ray], &exact = frame.exact[ray];
+  const bool hits = hit.kind == kHitTriangle || hit.kind == kHitVoxel, surface = exact.kind == kHitTriangle;
+  if (truth.verdict == kVerdictNoRay || truth.verdict == kVerdictAgrees) return 0.0f;
+  if (hits && surface) return std::abs(truth.error);
+
+  const GridParameters& grid = frame.grid.parameters;
+  float leave = kFar;
+  for (int axis = 0; axis < 3; ++axis) {
+    const float face = gridFace(grid, axis, frame.rays[ray].direction[axis] > 0.0f ? grid.cellCount[axis] : 0);
+    if (std::abs(frame.rays[ray].direction[axis]) > kTiny) leave = std::min(leave, (face - frame.rays[ray].origin[axis]) / frame.rays[ray].direction[axis]);
+  }
+  return std::abs(leave - (surface ? exact.t : hit.t)) / grid.cellEdge;
+}
+
+std::vector<uint32_t> worstRays(const FrameTruth& frame, size_t count) {
+  std::vector<std::pair<float, uint32_t>> wrong;
+  for (uint32_t i = 0; i < frame.truths.size(); ++i)
+    if (verdictWrong(frame.truths[i].verdict)) wrong.push_back({-distanceOff(frame, i), i});
+  std::ranges::sort(wrong);
+  std::vector<uint32_t> rays;
+  for (size_t i = 0; i < std::min(count, wrong.size()); ++i) rays.push_back(wrong[i].second);
+  return rays;
 }
 
 Ledger makeLedger(const FrameTruth& frame) { return makeLedger(frame.input(), frame.truths); }

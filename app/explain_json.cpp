@@ -1,0 +1,84 @@
+// The explanation of a frame as JSON; see explain_report.h.
+#include "app/explain_report.h"
+
+#include "core/numbering.h"
+
+namespace gridscope {
+
+using Json = nlohmann::ordered_json;
+
+namespace {
+
+// Rows of "meshes", "instances" and "cells" in the JSON.
+constexpr size_t kMostRows = 10;
+
+Json cellJson(ivec3 cell) { return Json::array({cell.x, cell.y, cell.z}); }
+
+std::string nameOf(const std::vector<std::string>& names, uint32_t index) { return index < names.size() ? names[index] : ""; }
+
+Json groupsJson(std::span<const GroupLoss> groups, const std::vector<std::string>& names) {
+  Json list = Json::array();
+  for (size_t i : worstOf(groups, kMostRows)) {
+    const GroupLoss& group = groups[i];
+    Json verdicts;
+    for (uint32_t verdict = kVerdictHole; verdict < kVerdictCount; ++verdict) verdicts[std::string(verdictName(verdict).key)] = group.verdicts[verdict];
+    list.push_back({{"index", group.index}, {"name", nameOf(names, group.index)}, {"rays", group.rays}, {"stored", group.stored},
+                    {"lost", group.lost}, {"triangles", group.triangles}, {"verdicts", verdicts}});
+  }
+  return list;
+}
+
+Json worstCellsJson(const Ledger& ledger) {
+  Json list = Json::array();
+  for (size_t i : worstOf(ledger.cells, kMostRows)) {
+    const CellLoss& cell = ledger.cells[i];
+    list.push_back({{"cell", cellJson(cell.cell)}, {"rays", cell.rays}, {"tried", cell.tried}, {"stored", cell.stored}, {"refused", cell.refused}});
+  }
+  return list;
+}
+
+Json rayJson(const ExplainReport& report, uint32_t ray) {
+  const RayTruth& truth = report.frame.truths[ray];
+  return {{"pixel", {ray % report.width, ray / report.width}}, {"verdict", verdictName(truth.verdict).key}, {"cause", causeName(truth.cause).key},
+          {"off", distanceOff(report.frame, ray)}, {"cell", cellJson(truth.cell)}, {"reference", truth.reference},
+          {"exactReference", truth.exactReference}, {"exactT", truth.exactT}, {"segment", truth.segment}};
+}
+
+void addProofs(Json& json, const ProofTotals& proofs) {
+  const ProofTotals::Count sum = proofs.sum();
+  Json controls;
+  for (uint32_t cause = kCauseRefused; cause < kCauseCount; ++cause) {
+    const ProofTotals::Count& count = proofs.causes[cause];
+    json["confirmed"][std::string(causeName(cause).key)] = {count.alone, count.chain, count.total};
+    controls[std::string(causeName(cause).key)] = {count.controlConfirmed, count.controlTotal};
+  }
+  json["confirmedShare"] = sum.total == 0 ? 1.0 : double(sum.alone + sum.chain) / double(sum.total);
+  json["aloneShare"] = sum.total == 0 ? 1.0 : double(sum.alone) / double(sum.total);
+  json["control"] = {{"confirmed", sum.controlConfirmed}, {"total", sum.controlTotal},
+                     {"share", sum.controlTotal == 0 ? 0.0 : double(sum.controlConfirmed) / double(sum.controlTotal)}, {"causes", controls}};
+  json["mostLinks"] = proofs.mostLinks;
+  json["notConfirmed"] = proofs.notConfirmed.size();
+}
+
+}  // namespace
+
+Json explainJson(const ExplainReport& report, const CaptureNames& names) {
+  const TruthTotals& totals = report.frame.totals;
+  const GridStatistics& cells = report.grid.statistics;
+  Json json = {{"rays", totals.rays}, {"wrong", totals.wrong()}, {"agree", {{"hit", totals.agreeHit}, {"miss", totals.agreeMiss}}}};
+  for (uint32_t verdict = kVerdictHole; verdict < kVerdictCount; ++verdict)
+    json["verdicts"][std::string(verdictName(verdict).key)] = totals.verdicts[verdict];
+  for (uint32_t cause = kCauseRefused; cause < kCauseCount; ++cause) json["causes"][std::string(causeName(cause).key)] = totals.causes[cause];
+  if (report.proofs) addProofs(json, *report.proofs);
+  json["references"] = {{"tried", report.tried}, {"stored", report.grid.stored()}, {"refused", report.grid.refused()}};
+  json["cells"] = {{"occupied", cells.occupied}, {"saturated", cells.saturated}, {"maxDemand", cells.maxDemand}};
+  json["worstMeshes"] = groupsJson(report.ledger.meshes, names.meshes);
+  json["worstInstances"] = groupsJson(report.ledger.instances, names.instances);
+  json["worstCells"] = worstCellsJson(report.ledger);
+  json["worstRays"] = Json::array();
+  for (uint32_t ray : report.worst) json["worstRays"].push_back(rayJson(report, ray));
+  json["timesMs"] = {{"explain", report.explainMs}, {"prove", report.proveMs}};
+  return json;
+}
+
+}  // namespace gridscope

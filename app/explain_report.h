@@ -1,0 +1,36 @@
+// What `explain` says about a frame: verdicts, causes, proofs, what was lost where, as text and as JSON.
+#pragma once
+
+#include <cstdio>
+#include <optional>
+
+#include <nlohmann/json.hpp>
+
+#include "app/pixel_story.h"
+#include "core/frame_truth.h"
+#include "core/invariants.h"
+
+namespace gridscope {
+
+struct ExplainReport {
+  FrameTruth frame;
+  GridTotals grid;                       // of the device
+  uint64_t tried = 0;                    // references
+  Ledger ledger;
+  std::optional<ProofTotals> proofs;     // of --verify
+  std::vector<uint32_t> worst;           // rays, the worst first
+  uint32_t width = 0;                    // of the frame, pixels
+  double explainMs = 0.0;                // demand, exact hits and causes
+  double proveMs = 0.0;
+};
+
+// One ray in sentences, with its proof when proofs were asked for.
+std::vector<StoryPart> tellRay(const ExplainReport& report, const CaptureNames& names, uint32_t pixel);
+
+// The tables: verdicts, causes, the meshes and cells that cost most, the worst rays.
+void printExplain(std::FILE* out, const ExplainReport& report, const CaptureNames& names);
+
+// rays, wrong, agree, verdicts, causes, [confirmed, control,] references, cells, meshes, fullest cells, worst rays, times.
+nlohmann::ordered_json explainJson(const ExplainReport& report, const CaptureNames& names);
+
+}  // namespace gridscope

@@ -1,0 +1,189 @@
+// See pixel_story.h.
+#include "app/pixel_story.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "app/text.h"
+#include "core/truth_cause.h"
+
+namespace gridscope {
+
+namespace {
+
+// The slots of a cell are told by mesh, the most first; more meshes than these are summed up.
+constexpr size_t kMostMeshesTold = 5;
+
+// Links of a proof told one by one; of a longer chain the rest is counted.
+constexpr size_t kMostLinksTold = 8;
+
+// Puts parts together.
+class StoryWriter {
+ public:
+  explicit StoryWriter(const StoryInput& input) : input_(input) {}
+
+  StoryWriter& text(std::string words) { return add({.text = std::move(words)}); }
+  StoryWriter& number(std::string words) { return add({.kind = StoryPart::Kind::number, .text = std::move(words)}); }
+  StoryWriter& cell(ivec3 cell) {
+    return add({.kind = StoryPart::Kind::cell, .text = printed("cell (%d, %d, %d)", cell.x, cell.y, cell.z), .cell = cell});
+  }
+  StoryWriter& step(int segment, ivec3 cell) {
+    return add({.kind = StoryPart::Kind::step, .text = printed("step %d", segment), .cell = cell, .segment = segment});
+  }
+  StoryWriter& mesh(uint32_t reference) {
+    return add({.kind = StoryPart::Kind::mesh, .text = meshText(scene(), input_.names, reference), .reference = reference});
+  }
+  StoryWriter& triangle(uint32_t reference) {
+    const std::string name = known(reference) ? printed("triangle %u", nameTriangle(scene(), reference).triangle) : printed("0x%08X", reference);
+    add({.kind = StoryPart::Kind::triangle, .text = name, .reference = reference});
+    return known(reference) ? text(" of ").mesh(reference) : text(", which is no triangle of the scene");
+  }
+  StoryWriter& end() { return text("\n"); }
+  std::vector<StoryPart> take() { return std::move(parts_); }
+
+ private:
+  const NumberedScene& scene() const { return input_.truth.trace.scene; }
+  bool known(uint32_t reference) const {
+    return referenceInstance(reference) < scene().instanceCount() &&
+           referenceTriangle(reference) < scene().instances[referenceInstance(reference)].triangleCount;
+  }
+  StoryWriter& add(StoryPart part) {
+    parts_.push_back(std::move(part));
+    return *this;
+  }
+
+  const StoryInput& input_;
+  std::vector<StoryPart> parts_;
+};
+
+std::string edgesText(float edges) { return printed("%.3g cell edges", double(edges)); }
+
+// Tells one pixel.
+struct Teller {
+  const StoryInput& input;
+  StoryWriter& story;
+  const TruthInput& truth = input.truth;
+  const Grid& grid = truth.trace.grid;
+  const RayTruth& told = input.told;
+
+  float inEdges(float length) const { return length / grid.parameters.cellEdge; }
+
+  void tellSurface() {
+    if (input.exact.kind != kHitTriangle) return void(story.text("There is no surface on the ray's way.").end());
+    story.text("The nearest surface is ").triangle(input.exact.reference).text(", ").number(edgesText(inEdges(input.exact.t)));
+    const ivec3 home = hitCell(grid.parameters, input.ray, input.exact);
+    if (gridContains(grid.parameters, home)) story.text(" along the ray, in ").cell(home).text(".").end();
+    else story.text(" along the ray, outside the grid.").end();
+  }
+
+  void tellEnd() {
+    if (input.traced.kind == kHitTriangle || input.traced.kind == kHitVoxel) {
+      story.text(input.traced.kind == kHitVoxel ? "The ray ends with a voxel hit, painted with " : "The ray hits ").triangle(input.traced.reference);
+      story.text(", ").number(edgesText(inEdges(input.traced.t))).text(" along the ray");
+      if (input.exact.kind == kHitTriangle && told.verdict != kVerdictAgrees)
+        story.text(": ").number(edgesText(std::abs(told.error))).text(told.error < 0.0f ? " too near" : " too far");
+      story.text(".").end();
+    } else {
+      story.text(input.traced.kind == kHitLimit ? "The limit of segments ends the ray." : "The ray meets nothing and leaves the grid.").end();
+    }
+  }
+
+  // "holds 16 references: 9 of tuft, 7 of wall".
+  void tellSlots(ivec3 cell) {
+    const std::vector<uint32_t> stored = storedIn(grid, cell);
+    const std::vector<uint32_t> refused = refusedBy(grid, truth.demand, cell);
+    story.text("That cell was asked to take ").number(grouped(stored.size() + refused.size())).text(" references, holds ");
+    story.number(grouped(stored.size())).text(" and refused ").number(grouped(refused.size())).text(".");
+    std::map<std::string, std::pair<uint32_t, uint32_t>> meshes;  // name: a reference, how many
+    for (uint32_t reference : stored) {
+      auto& [first, count] = meshes[meshText(truth.trace.scene, input.names, reference)];
+      first = count++ == 0 ? reference : first;
+    }
+    std::vector<std::pair<uint32_t, uint32_t>> counts;
+    for (const auto& [name, entry] : meshes) counts.push_back(entry);
+    std::ranges::stable_sort(counts, [](const auto& a, const auto& b) { return a.second > b.second; });
+    for (size_t i = 0; i < std::min(counts.size(), kMostMeshesTold); ++i)
+      story.text(i == 0 ? " Its slots hold " : ", ").number(grouped(counts[i].second)).text(" of ").mesh(counts[i].first);
+    if (counts.size() > kMostMeshesTold) story.text(printed(" and triangles of %zu more meshes", counts.size() - kMostMeshesTold));
+    story.text(counts.empty() ? "" : ".").end();
+  }
+
+  void tellCut(ivec3 cell) {
+    const vec2 stay = cellStay(grid.parameters, input.ray, cell);
+    const float edge = grid.parameters.cellEdge;
+    const int before = int(std::floor(stay.x / edge)), after = before + 1;
+    const ivec3 from = gridCell(grid.parameters, rayPoint(input.ray, float(before) * edge)), to = gridCell(grid.parameters, rayPoint(input.ray, float(after) * edge));
+    const ivec3 crossed = glm::abs(to - from);
+    const int faces = (crossed.x != 0) + (crossed.y != 0) + (crossed.z != 0);
+    story.text("The ray is in that cell for ").number(edgesText(inEdges(std::max(stay.y - stay.x, 0.0f)))).text(" only: ");
+    story.step(before, from).text(" starts before it in ").cell(from).text(", ").step(after, to).text(" behind it in ").cell(to);
+    story.text(faces >= 3 ? "; a corner was cut." : faces == 2 ? "; an edge of the cell was cut." : "; it was crossed from face to face.").end();
+  }
+
+  void tellCause() {
+    story.text("Cause: ").text(std::string(causeName(told.cause).title)).text(". ").text(std::string(causeName(told.cause).about));
+    if (gridContains(grid.parameters, told.cell)) story.text(" It took place in ").cell(told.cell);
+    if (told.segment >= 0) story.text(gridContains(grid.parameters, told.cell) ? ", " : " It took place in ").step(told.segment, told.cell);
+    if (told.reference != kBlank) story.text(", and is about ").triangle(told.reference);
+    story.text(told.segment >= 0 || gridContains(grid.parameters, told.cell) || told.reference != kBlank ? "." : "").end();
+    if (!gridContains(grid.parameters, told.cell)) return;
+    if (told.cause == kCauseSteppedOver) tellCut(told.cell);
+    else tellSlots(told.cell);
+  }
+
+  void tellProof() {
+    if (!input.proof || input.proof->links.empty()) return;
+    const std::vector<ProofLink>& links = input.proof->links;
+    if (input.proof->confirmed && links.size() == 1) return void(story.text("Proof: traced again without that event alone, the ray agrees.").end());
+    story.text(input.proof->confirmed ? "Proof: without these events, one after the other, the ray agrees: "
+                                      : "Not confirmed: even without these events the ray does not agree: ");
+    for (size_t i = 0; i < std::min(links.size(), kMostLinksTold); ++i) {
+      story.text(i == 0 ? "" : "; ").text(std::string(causeName(links[i].cause).title));
+      if (gridContains(grid.parameters, links[i].cell)) story.text(" in ").cell(links[i].cell);
+    }
+    if (links.size() > kMostLinksTold) story.text(printed("; and %zu more", links.size() - kMostLinksTold));
+    story.text(".").end();
+  }
+};
+
+}  // namespace
+
+std::string meshText(const NumberedScene& scene, const CaptureNames& names, uint32_t reference) {
+  if (referenceInstance(reference) >= scene.instanceCount()) return printed("0x%08X", reference);
+  const uint32_t mesh = scene.sources[referenceInstance(reference)].mesh;
+  if (mesh < names.meshes.size() && !names.meshes[mesh].empty()) return names.meshes[mesh];
+  return printed("mesh %u", mesh);
+}
+
+std::vector<StoryPart> tellVerdict(const StoryInput& input) {
+  StoryWriter story(input);
+  const std::string title(verdictName(input.told.verdict).title);
+  story.text(printed("Pixel (%u, %u): ", input.pixel % input.width, input.pixel / input.width)).text(title);
+  if (input.told.cause == kCauseNone) return story.text(". ").text(std::string(verdictName(input.told.verdict).about)).end().take();
+  story.text(", ").text(std::string(causeName(input.told.cause).title));
+  if (gridContains(input.truth.trace.grid.parameters, input.told.cell)) story.text(" in ").cell(input.told.cell);
+  if (input.told.exactReference != kBlank) story.text("; the surface is ").triangle(input.told.exactReference);
+  return story.text(".").end().take();
+}
+
+std::vector<StoryPart> tellPixel(const StoryInput& input) {
+  StoryWriter story(input);
+  Teller teller{input, story};
+  std::vector<StoryPart> parts = tellVerdict(input);
+  if (input.told.verdict == kVerdictNoRay) return parts;
+  teller.tellSurface();
+  teller.tellEnd();
+  if (input.told.cause != kCauseNone) teller.tellCause();
+  teller.tellProof();
+  for (StoryPart& part : story.take()) parts.push_back(std::move(part));
+  return parts;
+}
+
+std::string plainText(const std::vector<StoryPart>& parts) {
+  std::string text;
+  for (const StoryPart& part : parts) text += part.text;
+  return text;
+}
+
+}  // namespace gridscope
