@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "app/commands.h"
+#include "app/findings.h"
 #include "app/report.h"
 #include "app/text.h"
 #include "core/cpu_check.h"
@@ -27,7 +28,7 @@ void makeFolder(const std::filesystem::path& folder) {
 class Render {
  public:
   Render(const Options& options, Clock::time_point start)
-      : options_(options), progress_(stepCount(options)), session_(options, progress_) {
+      : options_(options), progress_(stepCount(options)), session_(options, progress_), findings_(session_, options) {
     if (options.checkCpu) check_.emplace(session_.pipeline());
     report_.startMs = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
   }
@@ -63,6 +64,7 @@ class Render {
   void runFrame(uint32_t frame) {
     Pipeline& pipeline = session_.pipeline();
     progress_.step(printed("frame %u of %u", frame + 1, options_.frames));
+    findings_.beforeUpdate();
     session_.update(frame);
     checkStage([](CpuCheck& check) { return check.afterUpdate(); });
     session_.makeRays(frame);
@@ -76,6 +78,7 @@ class Render {
     pipeline.trace(false);
     checkStage([](CpuCheck& check) { return check.afterTrace(false); });
 
+    findings_.afterTrace(frame);
     for (const View* view : options_.views) writeView(*view, frame);
     report_.frames.push_back(reportFrame(session_, frame, counting));
   }
@@ -136,6 +139,7 @@ class Render {
   const Options& options_;
   Progress progress_;
   Session session_;
+  Findings findings_;
   std::optional<CpuCheck> check_;
   RenderReport report_;
 };

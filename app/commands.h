@@ -43,6 +43,8 @@ int runRay(const Options& options);
 
 void addExplainOptions(CLI::App& command, Options& options);
 int runExplain(const Options& options);
+void addCheckOptions(CLI::App& command, Options& options);
+int runCheck(const Options& options);
 
 void addUpdateCapturesOptions(CLI::App& command, Options& options);
 int runUpdateCaptures(const Options& options);
@@ -66,6 +68,7 @@ inline constexpr Command kCommands[] = {
     {"tune", "Try other grids and constants on a scene: what each costs in memory, time and wrong rays", addTuneOptions, runTune},
     {"report", "A page about a frame: settings, pictures, statistics, plots, what was lost and what it cost", addReportOptions, runReport},
     {"explain", "Say why rays differ from the exact answer: verdicts, causes and their proof", addExplainOptions, runExplain},
+    {"check", "Run the stages and say after each whether everything holds that must; judge budgets", addCheckOptions, runCheck},
     {"update-captures", "Rerecord the captures of a folder after a wanted change, and say what changed", addUpdateCapturesOptions, runUpdateCaptures},
 };
 

@@ -337,6 +337,14 @@ void addDifferenceFolderOption(CLI::App& command, Options& options) {
                                         [&](const std::string& given) { options.captures.differences = given; });
 }
 
+void addCheckChoices(CLI::App& command, Options& options) {
+  OptionGroup group(command, "Check");
+  group.whole("--frames", options.frames, {1, kMostFrames}, std::to_string(options.frames), "How many");
+  group.whole("--stability", options.stability, {2, 10000}, "none",
+              "Compare N builds: cells and rays that differ; with --insertion first-come the order of arrival decides");
+  group.flag("--salvage", options.captures.salvage, true, "Open a damaged capture without the entries that fail");
+}
+
 void addPixelOption(CLI::App& command, Options& options) {
   OptionGroup(command, "Ray").text("--pixel", "X,Y", "0,0", "The ray's pixel; 0,0 is the top left", [&](const std::string& given) {
     const std::vector<std::string> parts = splitText(given, ',');
@@ -369,6 +377,8 @@ void addPageOption(CLI::App& command, Options& options) {
   options.page = "report.html";
   OptionGroup(command, "Results").text("-o,--output", "FILE.html", options.page.string(), "The page to write",
                                        [&](const std::string& given) { options.page = given; });
+}
+
 void addTruthOptions(CLI::App& command, Options& options) {
   OptionGroup group(command, "Truth");
   group.flag("--verify", options.verify, true, "Prove every cause: trace the ray again without that event");

@@ -132,6 +132,9 @@ void addDifferenceFolderOption(CLI::App& command, Options& options);
 // Offers --from, --repeat, --jobs, --shard, --junit and --out.
 void addReplayChoices(CLI::App& command, Options& options);
 
+// Offers --frames, --stability and --salvage (check).
+void addCheckChoices(CLI::App& command, Options& options);
+
 // Offers --pixel.
 void addPixelOption(CLI::App& command, Options& options);
 
@@ -140,6 +143,7 @@ void addTuneChoices(CLI::App& command, Options& options);
 
 // Offers -o, the page that is written.
 void addPageOption(CLI::App& command, Options& options);
+
 // Offers --verify and --worst.
 void addTruthOptions(CLI::App& command, Options& options);
 

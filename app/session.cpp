@@ -90,6 +90,13 @@ void Session::update(uint32_t frame) {
   if (!capturedFrame(frame).grid.empty()) pipeline_.useGrid(capturedFrame(frame).grid);
 }
 
+void Session::rebuild(uint32_t frame) {
+  if (capture_ && !builtHere(*capture_)) throw Error(options_.scene + ": its grid was built by " + capture_->writer + ", and can't be built again here");
+  pipeline_.build();
+  if (capture_) pipeline_.update(frameInstances(*capture_, frame % capture_->frames.size()));
+  else pipeline_.update(frameTime(frame));
+}
+
 void Session::makeRays(uint32_t frame) {
   pipeline_.gather();
   if (capture_) {

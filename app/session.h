@@ -32,6 +32,9 @@ class Session {
   void build();
   void update(uint32_t frame);
 
+  // Build and update from the instances, whatever grid a capture holds. Throws Error for a foreign grid.
+  void rebuild(uint32_t frame);
+
   // Gather, then the rays: the bounce's, the capture's, or the person's own.
   void makeRays(uint32_t frame);
 

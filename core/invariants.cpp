@@ -108,6 +108,8 @@ int slotContradictingRefusal(const GridParameters& grid, const CellContent& cont
 
 // Counts the cells that break one rule, and remembers the first.
 struct Rule {
+  const char* key;
+  const char* name;
   const char* text;
   uint64_t count = 0;
   ivec3 cell{};
@@ -118,11 +120,12 @@ struct Rule {
     if (badSlot < 0) return;
     if (count++ == 0) cell = content.cell, slot = badSlot, reference = content.slots[badSlot];
   }
-  std::string line() const {
+  Invariant outcome() const {
+    if (count == 0) return {.key = key, .name = name};
     std::array<char, 256> line;
     std::snprintf(line.data(), line.size(), "%llu cell%s %s; the first is (%d, %d, %d): slot %d holds 0x%08X",
                   static_cast<unsigned long long>(count), count == 1 ? "" : "s", text, cell.x, cell.y, cell.z, slot, reference);
-    return line.data();
+    return {.key = key, .name = name, .count = count, .fault = line.data()};
   }
 };
 
@@ -152,13 +155,15 @@ GridTotals countGrid(const Grid& grid) {
   return totals;
 }
 
-std::vector<std::string> checkInvariants(const Grid& grid, const NumberedScene& scene, const uint64_t* tried) {
+std::vector<Invariant> testCells(const Grid& grid, const NumberedScene& scene, const uint64_t* tried) {
   const GridParameters& parameters = grid.parameters;
-  Rule blanks{"hold a reference behind a blank"};
-  Rule order{parameters.insertion == kInsertionSorted ? "hold references that do not rise" : "hold a static reference behind a dynamic one"};
-  Rule twins{"hold a reference twice"};
-  Rule range{"hold a reference to no triangle of the scene"};
-  Rule refusals{"refused a reference that a slot had room for"};
+  const bool sorted = parameters.insertion == kInsertionSorted;
+  Rule blanks{"noBlankBefore", "no blank before a reference", "hold a reference behind a blank"};
+  Rule order{"staticFirst", sorted ? "references rise, static before dynamic" : "static before dynamic",
+             sorted ? "hold references that do not rise" : "hold a static reference behind a dynamic one"};
+  Rule twins{"noDuplicate", "no duplicate", "hold a reference twice"};
+  Rule range{"inRange", "references in range", "hold a reference to no triangle of the scene"};
+  Rule refusals{"refusedWhenFull", "only full cells refuse", "refused a reference that a slot had room for"};
   uint64_t stored = 0, refused = 0;
   forCellContents(grid, [&](const CellContent& content) {
     blanks.note(content, slotBehindBlank(content));
@@ -170,12 +175,23 @@ std::vector<std::string> checkInvariants(const Grid& grid, const NumberedScene& 
     refused += uint64_t(content.staticRefused) + content.dynamicRefused;
   });
 
-  std::vector<std::string> lines;
-  for (const Rule* rule : {&blanks, &order, &twins, &range, &refusals})
-    if (rule->count > 0) lines.push_back(rule->line());
+  std::vector<Invariant> outcomes;
+  for (const Rule* rule : {&blanks, &order, &twins, &range, &refusals}) outcomes.push_back(rule->outcome());
+  if (parameters.reserved == 0) outcomes.back().whyNot = "the grid has no reserved texels that would say what was refused";
 
   // Devices count what they try in 32 bits.
-  if (tried != nullptr && parameters.reserved == 2 && uint32_t(stored + refused) != uint32_t(*tried)) lines.push_back(sumLine(stored, refused, *tried));
+  Invariant sum{.key = "sum", .name = "stored + refused = tried"};
+  if (parameters.reserved != 2) sum.whyNot = "the grid does not count what it refuses";
+  else if (tried == nullptr) sum.whyNot = "nobody counted what was tried";
+  else if (uint32_t(stored + refused) != uint32_t(*tried)) sum.count = 1, sum.fault = sumLine(stored, refused, *tried);
+  outcomes.push_back(sum);
+  return outcomes;
+}
+
+std::vector<std::string> checkInvariants(const Grid& grid, const NumberedScene& scene, const uint64_t* tried) {
+  std::vector<std::string> lines;
+  for (const Invariant& invariant : testCells(grid, scene, tried))
+    if (!invariant.holds()) lines.push_back(invariant.fault);
   return lines;
 }
 

@@ -1,0 +1,15 @@
+// How often the rays of a frame ask each cell for its references.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "core/trace.h"
+#include "shaders/shared/findings.h"
+
+namespace gridscope {
+
+// Traces all rays again, on all cores, with hooks that count. A ray that comes back to a cell counts once more. x fastest.
+std::vector<CellRays> countCellRays(const TraceInput& input, std::span<const Ray> rays);
+
+}  // namespace gridscope
