@@ -18,7 +18,7 @@ namespace {
 CaptureProducts heldProducts(const Capture& capture) {
   const CaptureFrame& first = capture.frames.front();
   return {.grid = !first.grid.empty(), .gather = !first.gather.empty(), .rays = !first.rays.empty(), .hits = !first.hits.empty(),
-          .counters = !first.counters.empty(), .preview = !capture.preview.empty()};
+          .counters = !first.counters.empty(), .preview = !capture.preview.empty(), .exact = !first.exact.empty()};
 }
 
 // The frame's products as the pipeline makes them now.
@@ -34,6 +34,7 @@ CaptureFrame remadeFrame(Pipeline& pipeline, const Capture& capture, size_t inde
   pipeline.trace(true);
   if (held.hits) frame.hits = pipeline.hits();
   if (held.counters) frame.counters = pipeline.counters();
+  if (held.exact) frame.exact = takeFrame(pipeline, {.grid = false, .gather = false, .rays = false, .hits = false, .counters = false, .exact = true}, 0.0f).exact;
   return frame;
 }
 

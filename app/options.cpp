@@ -175,10 +175,11 @@ CaptureProducts parseProducts(const std::string& text) {
   CaptureProducts products{.grid = false, .gather = false, .rays = false, .hits = false, .counters = false, .preview = false};
   const Choice<bool CaptureProducts::*> known[] = {{"grid", &CaptureProducts::grid}, {"gather", &CaptureProducts::gather},
                                                    {"rays", &CaptureProducts::rays}, {"hits", &CaptureProducts::hits},
-                                                   {"counters", &CaptureProducts::counters}, {"preview", &CaptureProducts::preview}};
+                                                   {"counters", &CaptureProducts::counters}, {"preview", &CaptureProducts::preview},
+                                                   {"exact", &CaptureProducts::exact}};
   for (const std::string& name : splitText(text, ',')) {
     const auto* found = std::ranges::find_if(known, [&](const auto& one) { return name == one.name; });
-    if (found == std::end(known)) throw Error("--products " + text + ": there is no product '" + name + "'; give some of grid,gather,rays,hits,counters,preview");
+    if (found == std::end(known)) throw Error("--products " + text + ": there is no product '" + name + "'; give some of grid,gather,rays,hits,counters,preview,exact");
     products.*found->value = true;
   }
   return products;
@@ -308,7 +309,7 @@ void addCaptureFileOptions(CLI::App& command, Options& options) {
   CaptureOptions& captures = options.captures;
   group.text("-o,--output", "FILE.gridcap", "", "The file to write", [&](const std::string& given) { captures.output = given; });
   group.text("--note", "TEXT", "", "Kept in the file: what it shows", [&](const std::string& given) { captures.note = given; });
-  group.text("--products", "NAME[,NAME...]", "all", "Of grid, gather, rays, hits, counters, preview",
+  group.text("--products", "NAME[,NAME...]", "all but exact", "Of grid, gather, rays, hits, counters, preview, exact (the nearest hit among all triangles)",
              [&](const std::string& given) { captures.products = parseProducts(given); });
   group.whole("--sequence", captures.sequence, {1, 65536}, std::to_string(captures.sequence), "Consecutive frames in the file");
   group.flag("--salvage", captures.salvage, true, "Open a damaged capture without the entries that fail");

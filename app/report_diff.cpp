@@ -29,6 +29,7 @@ std::vector<std::string> differenceLines(const CaptureDifferences& differences) 
     if (!frame.rays.equal()) lines.push_back(which + "rays: " + frame.rays.text());
     if (frame.hits.different() > 0) lines.push_back(which + hitsText(frame.hits));
     if (!frame.counters.equal()) lines.push_back(which + "counters: " + frame.counters.text());
+    if (!frame.exact.equal()) lines.push_back(which + "exact: " + frame.exact.text());
   }
   return lines;
 }
@@ -52,7 +53,8 @@ nlohmann::ordered_json differencesJson(const CaptureDifferences& differences) {
         {{"cells", cellsJson(frame.cells)},
          {"hits", hitsJson(frame.hits)},
          {"rays", {{"different", frame.rays.different}, {"total", frame.rays.total}}},
-         {"counters", {{"different", frame.counters.different}, {"total", frame.counters.total}, {"first", frame.counters.first}}}});
+         {"counters", {{"different", frame.counters.different}, {"total", frame.counters.total}, {"first", frame.counters.first}}},
+         {"exact", {{"different", frame.exact.different}, {"total", frame.exact.total}, {"first", frame.exact.first}}}});
   return json;
 }
 

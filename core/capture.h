@@ -30,6 +30,12 @@ struct InstanceRows {
   vec4 row2;
 };
 
+// The nearest hit among all triangles, without a grid.
+struct ExactHit {
+  float t;                                // distance, world units; 0: nothing hit
+  uint32_t reference;                     // kBlank: nothing hit
+};
+
 // What changes from frame to frame. Products are empty where the capture does not hold them; all frames hold the same ones.
 struct CaptureFrame {
   float timeSeconds = 0.0f;
@@ -39,10 +45,11 @@ struct CaptureFrame {
   std::vector<InstanceRows> rows;         // of all instances; static ones are the same in every frame
 
   std::vector<uint32_t> grid;             // texels, x fastest
-  std::vector<GatherPixel> gather;        // width * height, first row at the top; likewise the next three
+  std::vector<GatherPixel> gather;        // width * height, first row at the top; likewise the next four
   std::vector<Ray> rays;
   std::vector<Hit> hits;
   std::vector<RayCounters> counters;
+  std::vector<ExactHit> exact;
 };
 
 // What a person calls things; as many as the indices of InstanceSource and Instance::material need.
@@ -86,7 +93,7 @@ Grid frameGrid(const Capture& capture, size_t frame);                  // the fr
 std::vector<uint32_t> movedInstances(const Capture& capture, size_t frame);  // since the frame before (rising); all dynamic ones in frame 0
 std::vector<InstanceRows> rowsOf(std::span<const Instance> instances);
 
-// Products to read. Inputs are always read.
+// Products to read, or to take from a pipeline. Inputs are always read.
 struct CaptureProducts {
   bool grid = true;
   bool gather = true;
@@ -94,11 +101,12 @@ struct CaptureProducts {
   bool hits = true;
   bool counters = true;
   bool preview = true;
+  bool exact = false;                     // taking it costs a trace of every ray in C++
 };
 
 struct ReadOptions {
   bool salvage = false;                   // leave damaged entries out, with what needs them, instead of refusing; Capture::faults says which
-  CaptureProducts products{};
+  CaptureProducts products{.exact = true};
   bool unknownEntries = true;             // keep them: needed to write the capture again
   uint64_t memoryLimit = kCaptureMemoryLimit;
 };

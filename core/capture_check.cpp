@@ -303,6 +303,15 @@ void checkHits(const Capture& capture, const CaptureFrame& frame, const Referenc
   throw Error("hits_reference.npy: " + pixel + " " + references.fault(hit.reference));
 }
 
+void checkExact(const Capture& capture, const CaptureFrame& frame, const References& references) {
+  for (size_t i = 0; i < frame.exact.size(); ++i) {
+    const ExactHit& hit = frame.exact[i];
+    const std::string pixel = pixelName(capture, i);
+    if (!std::isfinite(hit.t)) throw Error("exact_t.npy: " + pixel + " is not finite");
+    if (hit.reference != kBlank && !references.exists(hit.reference)) throw Error("exact_reference.npy: " + pixel + " " + references.fault(hit.reference));
+  }
+}
+
 template <class Element>
 void checkPixelCount(const Capture& capture, Part part, const std::vector<Element>& elements) {
   const uint64_t pixels = uint64_t(capture.settings.width) * capture.settings.height;
@@ -333,7 +342,8 @@ void checkCaptureProduct(const Capture& capture, Part part) {
       case Part::gather: return !frame.gather.empty();
       case Part::rays: return !frame.rays.empty();
       case Part::hits: return !frame.hits.empty();
-      default: return !frame.counters.empty();
+      case Part::counters: return !frame.counters.empty();
+      default: return !frame.exact.empty();
     }
   };
   const bool present = held(capture.frames[0]);
@@ -345,12 +355,13 @@ void checkCaptureProduct(const Capture& capture, Part part) {
     if (part == Part::rays) checkPixelCount(capture, part, frame.rays), checkRays(capture, frame);
     if (part == Part::hits) checkPixelCount(capture, part, frame.hits), checkHits(capture, frame, references);
     if (part == Part::counters) checkPixelCount(capture, part, frame.counters);
+    if (part == Part::exact) checkPixelCount(capture, part, frame.exact), checkExact(capture, frame, references);
   }
 }
 
 void checkCapture(const Capture& capture) {
   checkCaptureInputs(capture);
-  for (Part part : {Part::grid, Part::gather, Part::rays, Part::hits, Part::counters}) checkCaptureProduct(capture, part);
+  for (Part part : {Part::grid, Part::gather, Part::rays, Part::hits, Part::counters, Part::exact}) checkCaptureProduct(capture, part);
 }
 
 }  // namespace gridscope

@@ -22,6 +22,7 @@ constexpr std::array<PartRow, kPartCount> kParts = {{
     {Part::rays, "rays", Lead::pixels, sizeof(Ray), true},
     {Part::hits, "hits", Lead::pixels, sizeof(Hit), true},
     {Part::counters, "counters", Lead::pixels, sizeof(RayCounters), true},
+    {Part::exact, "exact hits", Lead::pixels, sizeof(ExactHit), true},
 }};
 
 // Materials are two arrays: the words in front of `flags` are floats, the others are whole numbers.
@@ -59,6 +60,8 @@ const std::vector<ColumnRow>& columns() {
       {"hits_barycentrics.npy", Part::hits, NpyType::f4, offsetof(Hit, u), {2}, false, false},
       {"counters_visits.npy", Part::counters, NpyType::u4, offsetof(RayCounters, visits), {}, false, false},
       {"counters_tests.npy", Part::counters, NpyType::u4, offsetof(RayCounters, tests), {}, false, false},
+      {"exact_t.npy", Part::exact, NpyType::f4, offsetof(ExactHit, t), {}, false, false},
+      {"exact_reference.npy", Part::exact, NpyType::u4, offsetof(ExactHit, reference), {}, false, false},
   };
   return rows;
 }
@@ -80,9 +83,10 @@ auto visitPart(CaptureArrays& arrays, Part part, size_t frame, const Visit& visi
     case Part::gather: return visit(current.gather);
     case Part::rays: return visit(current.rays);
     case Part::hits: return visit(current.hits);
-    case Part::counters: break;
+    case Part::counters: return visit(current.counters);
+    case Part::exact: break;
   }
-  return visit(current.counters);
+  return visit(current.exact);
 }
 
 // Bytes of a column's values within one element, there and in the file.

@@ -11,8 +11,8 @@
 namespace gridscope {
 
 // Arrays of one structure: their columns have one count, and a product that lacks one of its columns can't be used.
-enum class Part { triangles, corners, numbers, instances, rows, materials, alpha, grid, gather, rays, hits, counters };
-inline constexpr size_t kPartCount = 12;
+enum class Part { triangles, corners, numbers, instances, rows, materials, alpha, grid, gather, rays, hits, counters, exact };
+inline constexpr size_t kPartCount = 13;
 
 // What the first dimensions of a column count.
 enum class Lead { count, triangleCorners, texels, pixels };  // (n), (n / 3, 3), (z, y, x), (height, width)

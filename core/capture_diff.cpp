@@ -91,7 +91,7 @@ std::string obstacle(const char* name, size_t sizeA, size_t sizeB, bool sameShap
 
 bool CaptureDifferences::equal() const {
   const bool products = std::ranges::all_of(frames, [](const FrameDifferences& frame) {
-    return frame.cells.different() == 0 && frame.hits.different() == 0 && frame.rays.equal() && frame.counters.equal();
+    return frame.cells.different() == 0 && frame.hits.different() == 0 && frame.rays.equal() && frame.counters.equal() && frame.exact.equal();
   });
   return settings.empty() && products && std::ranges::all_of(notCompared, [](const std::string& line) { return line.ends_with("in neither"); });
 }
@@ -105,7 +105,7 @@ CaptureDifferences diffCaptures(const Capture& a, const Capture& b) {
   const bool sameCells = a.grid.cellCount == b.grid.cellCount;
   for (size_t i = 0; i < std::min(a.frames.size(), b.frames.size()); ++i) {
     const CaptureFrame &frameA = a.frames[i], &frameB = b.frames[i];
-    FrameDifferences frame{.frame = i, .cells = {}, .hits = {}, .rays = {}, .counters = {}};
+    FrameDifferences frame{.frame = i, .cells = {}, .hits = {}, .rays = {}, .counters = {}, .exact = {}};
     const auto compared = [&](const char* name, size_t sizeA, size_t sizeB, bool sameShape) {
       const std::string line = obstacle(name, sizeA, sizeB, sameShape);
       if (i == 0 && !line.empty()) result.notCompared.push_back(line);
@@ -116,6 +116,7 @@ CaptureDifferences diffCaptures(const Capture& a, const Capture& b) {
     if (compared("hits", frameA.hits.size(), frameB.hits.size(), sameSize)) frame.hits = diffHits(frameA.hits, frameB.hits, width, howA, howB);
     if (compared("counters", frameA.counters.size(), frameB.counters.size(), sameSize))
       frame.counters = compareCounters(frameA.counters, frameB.counters, width, howA);
+    if (compared("exact", frameA.exact.size(), frameB.exact.size(), sameSize)) frame.exact = compareExactHits(frameA.exact, frameB.exact, width, howA);
     result.frames.push_back(std::move(frame));
   }
   return result;

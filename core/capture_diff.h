@@ -42,6 +42,7 @@ struct FrameDifferences {
   HitDifferences hits;
   Difference rays;
   Difference counters;
+  Difference exact;
 };
 
 struct CaptureDifferences {

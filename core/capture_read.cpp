@@ -52,12 +52,12 @@ class CaptureReader {
     // The arrays, what is left out, and the whole.
     for (FoundColumn& found : found_)
       if (wanted(found.column->part)) atColumn(*found.column, [&] { readColumn(found); });
-    for (Part part : {Part::corners, Part::materials, Part::gather, Part::rays, Part::hits, Part::counters, Part::grid, Part::alpha, Part::numbers})
+    for (Part part : {Part::corners, Part::materials, Part::gather, Part::rays, Part::hits, Part::counters, Part::exact, Part::grid, Part::alpha, Part::numbers})
       if (dropped(part)) clearPart(part);
     finishScene();
     readOthers();
     checkCaptureInputs(capture());
-    for (Part part : {Part::grid, Part::gather, Part::rays, Part::hits, Part::counters}) checkProduct(part);
+    for (Part part : {Part::grid, Part::gather, Part::rays, Part::hits, Part::counters, Part::exact}) checkProduct(part);
     keepUnknownKeys();
     return std::move(capture_);
   }
@@ -89,6 +89,7 @@ class CaptureReader {
       case Part::rays: return p.rays;
       case Part::hits: return p.hits;
       case Part::counters: return p.counters;
+      case Part::exact: return p.exact;
       default: return true;
     }
   }

@@ -88,6 +88,15 @@ Difference compareCounters(std::span<const RayCounters> a, std::span<const RayCo
   });
 }
 
+Difference compareExactHits(std::span<const ExactHit> a, std::span<const ExactHit> b, uint32_t width, const Comparison& how) {
+  const auto text = [](const ExactHit& hit, const Comparison& named) {
+    char distance[32];
+    std::snprintf(distance, sizeof distance, " at t %.9g", double(hit.t));
+    return hit.reference == kBlank ? std::string("nothing") : referenceText(named, hit.reference) + distance;
+  };
+  return compareBytes(a, b, [&](size_t i) { return pixelText(i, width) + ": " + how.a + " " + text(a[i], how) + ", " + how.b + " " + text(b[i], how); });
+}
+
 Difference compareGridsAsSets(const Grid& a, const Grid& b, const Comparison& how) {
   const ivec3 count = a.parameters.cellCount;
   Difference difference{.total = uint64_t(count.x) * uint64_t(count.y) * uint64_t(count.z)};

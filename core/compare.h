@@ -37,6 +37,9 @@ Difference compareGrids(const Grid& a, const Grid& b, const Comparison& how);
 Difference compareHits(std::span<const Hit> a, std::span<const Hit> b, uint32_t width, const Comparison& how);
 Difference compareCounters(std::span<const RayCounters> a, std::span<const RayCounters> b, uint32_t width, const Comparison& how);
 
+// Exact hits: distance and reference.
+Difference compareExactHits(std::span<const ExactHit> a, std::span<const ExactHit> b, uint32_t width, const Comparison& how);
+
 // Elements: cells. For grids whose slots a race decided: the references of a cell in any order where neither side is saturated, and in a
 // saturated cell how many are stored and refused.
 Difference compareGridsAsSets(const Grid& a, const Grid& b, const Comparison& how);

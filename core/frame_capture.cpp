@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "core/exact.h"
+
 namespace gridscope {
 
 CaptureNames namesOf(const Scene& scene) {
@@ -37,7 +39,20 @@ CaptureFrame takeFrame(Pipeline& pipeline, const CaptureProducts& products, floa
   if (products.rays) frame.rays = pipeline.rays();
   if (products.hits) frame.hits = pipeline.hits();
   if (products.counters) frame.counters = pipeline.counters();
+  if (products.exact) {
+    const Grid shape{parameters.grid, {}};
+    const std::vector<Triangle> triangles = pipeline.worldTriangles();
+    frame.exact = traceExactHits({shape, pipeline.numbered(), triangles, parameters.trace}, pipeline.rays());
+  }
   return frame;
+}
+
+std::vector<ExactHit> traceExactHits(const TraceInput& input, std::span<const Ray> rays) {
+  std::vector<ExactHit> exact;
+  exact.reserve(rays.size());
+  for (const Hit& hit : ExactReference(input).trace(rays))
+    exact.push_back(hit.kind == kHitTriangle ? ExactHit{hit.t, hit.reference} : ExactHit{0.0f, kBlank});
+  return exact;
 }
 
 PipelineInputs pipelineInputs(const Capture& capture, size_t frame) {

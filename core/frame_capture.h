@@ -17,6 +17,9 @@ Capture startCapture(const Pipeline& pipeline, CaptureNames names, const Bounds&
 // The pipeline's present frame: its instances, and the chosen products, which its stages must have made.
 CaptureFrame takeFrame(Pipeline& pipeline, const CaptureProducts& products, float timeSeconds);
 
+// The product `exact` of rays: C++ on every machine, so that its bits are the same on all. Of `input`'s grid only the parameters are used.
+std::vector<ExactHit> traceExactHits(const TraceInput& input, std::span<const Ray> rays);
+
 // A captured frame for the pipeline that runs without a scene.
 PipelineInputs pipelineInputs(const Capture& capture, size_t frame);
 

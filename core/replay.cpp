@@ -13,8 +13,8 @@
 namespace gridscope {
 namespace {
 
-enum Product { kGrid, kHits, kCounters, kProductCount };
-constexpr const char* kProductNames[kProductCount] = {"grid", "hits", "counters"};
+enum Product { kGrid, kHits, kCounters, kExact, kProductCount };
+constexpr const char* kProductNames[kProductCount] = {"grid", "hits", "counters", "exact"};
 
 // 64-bit digest of a product, to tell repetitions apart. Source: Fowler, Noll and Vo, FNV-1a, on words instead of bytes.
 template <typename T>
@@ -83,6 +83,7 @@ class Replay {
       stages_->useRays(captured.rays);
       compareTraced(captured, frame);
     }
+    if (!captured.exact.empty() && !captured.rays.empty()) compareExact(captured, frame);
     if (result_.different && result_.different->frame == frame) result_.different->grid = std::move(grid_), result_.different->hits = std::move(hits_);
     grid_.clear(), hits_.clear();
   }
@@ -120,6 +121,17 @@ class Replay {
     note(kCounters, compareCounters(captured.counters, counters, width, how()), frame);
     const Difference between = compareHits(hits_, stages_->hits(), width, {"the fast trace", "the counting trace", capture_.scene, &capture_.names});
     note(kHits, {.different = between.different, .total = 0, .firstIndex = between.firstIndex, .first = between.first}, frame);
+  }
+
+  // From the captured triangles and transforms alone, on every device in C++.
+  void compareExact(const CaptureFrame& captured, size_t frame) {
+    const NumberedScene scene = frameScene(capture_, frame);
+    std::vector<Triangle> triangles(scene.triangleCount);
+    transformTriangles(scene, {0, scene.instanceCount()}, triangles);
+    const Grid shape{capture_.grid, {}};
+    const std::vector<ExactHit> exact = traceExactHits({shape, scene, triangles, capture_.trace}, captured.rays);
+    made<ExactHit>(kExact, exact);
+    note(kExact, compareExactHits(captured.exact, exact, capture_.settings.width, how()), frame);
   }
 
   template <typename T>

@@ -91,6 +91,8 @@ TEST(CaptureFile, EverythingComesBackBitForBit) {
     EXPECT_TRUE(sameBits(a.rays, b.rays));
     EXPECT_TRUE(sameBits(a.hits, b.hits));
     EXPECT_TRUE(sameBits(a.counters, b.counters));
+    EXPECT_TRUE(sameBits(a.exact, b.exact));
+    EXPECT_EQ(a.exact.size(), 6u);
   }
   EXPECT_EQ(movedInstances(read, 1), std::vector<uint32_t>{1});
   EXPECT_TRUE(read.unknownKeys.empty()) << read.unknownKeys;
@@ -120,12 +122,22 @@ TEST(CaptureFile, ASequenceHasAFrameAxisWhereFramesDiffer) {
   EXPECT_EQ(shapes(2)["triangles.npy"], (std::vector<uint64_t>{3, 3, 3}));
 }
 
+TEST(CaptureFile, ACaptureWithoutExactHitsIsReadAsBefore) {
+  Capture capture = makeSmallCapture();
+  for (CaptureFrame& frame : capture.frames) frame.exact.clear();
+  const std::vector<std::byte> bytes = formatCapture(capture);
+  const Capture read = readCaptureMemory(bytes, "small");
+  EXPECT_TRUE(read.frames[0].exact.empty());
+  EXPECT_EQ(formatCapture(read), bytes);
+}
+
 TEST(CaptureFile, OnlyTheWantedProductsAreRead) {
   const std::vector<std::byte> bytes = formatCapture(makeSmallCapture());
   const Capture read = readCaptureMemory(bytes, "small", {.products = {.grid = false, .gather = false, .counters = false, .preview = false}});
   EXPECT_TRUE(read.frames[0].grid.empty());
   EXPECT_TRUE(read.frames[0].gather.empty());
   EXPECT_TRUE(read.frames[0].counters.empty());
+  EXPECT_TRUE(read.frames[0].exact.empty());
   EXPECT_TRUE(read.preview.empty());
   EXPECT_EQ(read.frames[1].rays.size(), 6u);
   EXPECT_EQ(read.frames[1].hits.size(), 6u);

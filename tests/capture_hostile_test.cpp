@@ -251,12 +251,12 @@ TEST(CaptureHostile, ABombIsRefusedBeforeItUnpacks) {
   // Frames that multiply what is stored once.
   expectRefused("MiB in memory; at most 1 MiB are read", [](Parts& p) {
     for (const auto& entry : {"instances_transform.npy", "grid.npy", "rays_origin.npy", "rays_direction.npy", "hits_kind.npy", "hits_t.npy", "hits_reference.npy", "hits_barycentrics.npy",
-                              "counters_visits.npy", "counters_tests.npy"}) {
+                              "counters_visits.npy", "counters_tests.npy", "exact_t.npy", "exact_reference.npy"}) {
       json& shape = p.manifest["entries"][entry]["shape"];
       const bool framed = shape[0] == 2 && shape.size() > 2;
       if (framed) p.entries.erase(entry), p.manifest["entries"].erase(entry);
     }
-    for (const auto* part : {"rays_", "hits_", "counters_"})
+    for (const auto* part : {"rays_", "hits_", "counters_", "exact_"})
       for (auto it = p.entries.begin(); it != p.entries.end();)
         if (it->first.starts_with(part)) p.manifest["entries"].erase(it->first), it = p.entries.erase(it);
         else ++it;

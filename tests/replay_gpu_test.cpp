@@ -1,6 +1,7 @@
 // Replays of captures made here: equal where nothing changed, and otherwise a person is told where to look.
 #include "core/replay.h"
 
+#include <algorithm>
 #include <cstring>
 
 #include "core/built_in_scenes.h"
@@ -17,6 +18,7 @@ struct Recording {
   FrameSettings settings{};
   uint32_t frames = 1;
   uint32_t teapots = 0;
+  CaptureProducts products{};
 };
 
 FrameSettings smallSettings(uint32_t cells) {
@@ -42,7 +44,7 @@ Capture record(GpuContext& gpu, const Recording& recording) {
     pipeline.bounce(frame);
     pipeline.trace(true);
     if (frame == 0) capture = startCapture(pipeline, namesOf(scene), sceneBounds(scene));
-    capture.frames.push_back(takeFrame(pipeline, {}, 0.2f * float(frame)));
+    capture.frames.push_back(takeFrame(pipeline, recording.products, 0.2f * float(frame)));
   }
   capture.writer = std::string(kWriterName) + "test";
   return capture;
@@ -105,6 +107,20 @@ TEST_F(GpuTest, FirstComeGridsAreComparedAsSets) {
     recording.settings.grid.capacity = capacity;
     expectEqualEverywhere(gpu(), record(gpu(), recording));
   }
+}
+
+TEST_F(GpuTest, ExactHitsAreFoundAgainFromEveryStageAndAChangedOneIsNamed) {
+  Recording recording{.settings = smallSettings(24), .frames = 2, .products = {.exact = true}};
+  recording.settings.grid.capacity = 3;
+  Capture capture = record(gpu(), recording);
+  ASSERT_EQ(capture.frames[1].exact.size(), 48u * 27u);
+  EXPECT_GT(std::ranges::count_if(capture.frames[1].exact, [](const ExactHit& hit) { return hit.reference != kBlank; }), 100);
+  expectEqualEverywhere(gpu(), readCaptureMemory(formatCapture(capture), "exact"));
+  capture.frames[1].exact[50] = {1.5f, 0u};
+  const ReplayResult result = replay(capture, {}, nullptr);
+  EXPECT_EQ(result.verdict, Verdict::different);
+  EXPECT_EQ(product(result, "exact").different, 1u);
+  EXPECT_NE(product(result, "exact").first.find("frame 1, pixel (2, 1): captured"), std::string::npos) << product(result, "exact").first;
 }
 
 // The first texel of a slot that holds a reference to an instance with more triangles.

@@ -1,7 +1,7 @@
 // A capture of a few KiB with every entry there is: for tests that damage it in every way, and as a seed of the fuzzers.
 #pragma once
 
-#include "core/capture.h"
+#include "core/frame_capture.h"
 #include "tests/small_scene.h"
 
 namespace gridscope {
@@ -30,6 +30,7 @@ inline void captureProducts(const Capture& capture, BuiltScene& built, CaptureFr
   frame.counters.resize(pixels);
   traceRays({built.grid, built.numbered, built.worldTriangles, capture.trace}, frame.rays, frame.hits, frame.counters);
   frame.grid = built.grid.texels;
+  frame.exact = traceExactHits({built.grid, built.numbered, built.worldTriangles, capture.trace}, frame.rays);
 }
 
 // As the pipeline would capture it, on the C++ path.
