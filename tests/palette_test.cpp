@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "shaders/shared/palette.h"
+#include "shaders/shared/truth_colours.h"
 #include "shaders/shared/view_element.h"
 
 namespace gridscope {
@@ -25,6 +26,9 @@ const Matrix kProtanopia{vec3(0.152286f, 1.052583f, -0.204868f), vec3(0.114503f,
                          vec3(-0.003882f, -0.048116f, 1.051998f)};
 const Matrix kDeuteranopia{vec3(0.367322f, 0.860646f, -0.227968f), vec3(0.280085f, 0.672501f, 0.047413f),
                            vec3(-0.011820f, 0.042940f, 0.968881f)};
+
+const Matrix kTritanopia{vec3(1.255528f, -0.076749f, -0.178779f), vec3(-0.078411f, 0.930809f, 0.147602f),
+                         vec3(0.004733f, 0.691367f, 0.303900f)};
 
 vec3 times(const Matrix& matrix, vec3 v) { return {glm::dot(matrix[0], v), glm::dot(matrix[1], v), glm::dot(matrix[2], v)}; }
 
@@ -100,6 +104,38 @@ TEST(Palette, KindsOfHitDifferByAtLeast25ForEveryEye) {
       for (const Matrix& eye : {kNormal, kProtanopia, kDeuteranopia})
         EXPECT_GE(difference(unpackColour(together[i].colour), unpackColour(together[k].colour), eye), 25.0f)
             << together[i].name << " and " << together[k].name;
+}
+
+// Expects any two of the colours, and each and the background, to differ for every kind of colour vision.
+void expectApart(const std::vector<Named>& colours, float least) {
+  for (size_t i = 0; i < colours.size(); ++i)
+    for (const Matrix& eye : {kNormal, kProtanopia, kDeuteranopia, kTritanopia}) {
+      EXPECT_GE(difference(unpackColour(colours[i].colour), unpackColour(kColourWindow), eye), least) << colours[i].name << " and nothing";
+      for (size_t k = 0; k < i; ++k)
+        EXPECT_GE(difference(unpackColour(colours[i].colour), unpackColour(colours[k].colour), eye), least) << colours[i].name << " and " << colours[k].name;
+    }
+}
+
+TEST(Palette, VerdictsDifferByAtLeast16ForEveryEye) {
+  std::vector<Named> verdicts;
+  for (uint32_t verdict = kVerdictHole; verdict < kVerdictCount; ++verdict) verdicts.push_back({"a verdict", verdictColour(verdict)});
+  expectApart(verdicts, 16.0f);
+}
+
+// Refused is hatched, so that its lightness tells it apart.
+TEST(Palette, CausesDifferByAtLeast18ForEveryEye) {
+  std::vector<Named> causes;
+  for (uint32_t cause = kCauseNone + 1; cause < kCauseCount; ++cause)
+    if (cause != kCauseRefused) causes.push_back({"a cause", causeColour(cause)});
+  expectApart(causes, 18.0f);
+  EXPECT_EQ(causeColour(kCauseRefused), kColourSaturated);
+  EXPECT_EQ(causeColour(kCauseSteppedOver), kColourHole);
+  EXPECT_EQ(causeColour(kCauseRevisit), kColourRevisit);
+  EXPECT_EQ(causeColour(kCauseGate), kColourGate);
+}
+
+TEST(Palette, WhatChangesFromBuildToBuildDiffersByAtLeast25ForEveryEye) {
+  expectApart({{"ray", kColourRayChanges}, {"set", kColourSetDiffers}, {"order", kColourOrderDiffers}}, 25.0f);
 }
 
 // note: for a deuteranope the pink itself is the blue of a miss (difference 2). What tells them apart is the hatch.
