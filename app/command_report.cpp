@@ -1,15 +1,37 @@
-// gridscope report: a page about one frame.
+// gridscope report: one self-contained page about a frame, for a colleague or a CI artifact.
+#include <algorithm>
+
 #include "app/commands.h"
-#include "app/report.h"
+#include "app/page_frame.h"
+#include "app/page_sections.h"
+#include "app/text.h"
+#include "core/error.h"
+#include "core/write_file.h"
 
 namespace gridscope {
 
 void addReportOptions(CLI::App& command, Options& options) {
   addFrameOptions(command, options);
   addPageOption(command, options);
-  addJsonOption(command, options);
 }
 
-int runReport(const Options&) { return 0; }
+int runReport(const Options& options) {
+  Progress progress(6 + allViews().size());
+  Session session(options, progress);
+  const PageFrame frame = makePageFrame(options, session, progress);
+  progress.step("write the page");
+  const std::string html = pageHtml(reportPage(frame));
+  try {
+    writeWholeFile(options.page, std::as_bytes(std::span(html)));
+  } catch (const Error& error) {
+    throw error.within(options.page.string());
+  }
+  progress.clear();
+
+  const TruthTotals& totals = frame.explained.frame.totals;
+  std::printf("%s: %s; %s of %s rays are wrong (%s)\n", options.page.string().c_str(), byteText(html.size()).c_str(), grouped(totals.wrong()).c_str(),
+              grouped(totals.rays).c_str(), percentOf(totals.wrong(), totals.rays).c_str());
+  return session.validationMessages() > 0 ? kExitDifferent : kExitDone;
+}
 
 }  // namespace gridscope

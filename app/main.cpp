@@ -46,6 +46,7 @@ const Command* readCommandLine(CLI::App& app, Options& options, std::vector<std:
 
   if (const std::string fault = unknownCommand(arguments); !fault.empty()) throw Error(fault);
   if (arguments.empty()) arguments = kMainJob;
+  options.arguments = arguments;
   std::reverse(arguments.begin(), arguments.end());  // as CLI11 wants them
   try {
     app.parse(arguments);

@@ -97,6 +97,7 @@ struct Options {
   std::filesystem::path page;              // of `report`
   bool verify = false;                     // prove causes (explain)
   uint32_t worst = 10;                     // rays that explain lists
+  std::vector<std::string> arguments;      // the command line as it came, the command first
   std::vector<std::string> given;          // names of the options on the command line
 
   bool onCpu() const { return device == "cpu"; }

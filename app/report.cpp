@@ -86,7 +86,7 @@ std::string gridText(const GridParameters& grid) {
   return printed("%d x %d x %d cells of %.4g, capacity %d", grid.cellCount.x, grid.cellCount.y, grid.cellCount.z, grid.cellEdge, grid.capacity);
 }
 
-void printReport(std::FILE* out, const Session& session, const RenderReport& report) {
+Table reportTable(const Session& session, const RenderReport& report) {
   const FrameReport& frame = report.frames.back();
   const GridParameters& grid = session.pipeline().parameters().grid;
   Table table("ll");
@@ -101,8 +101,10 @@ void printReport(std::FILE* out, const Session& session, const RenderReport& rep
   table.add({"times (ms)", timesText(frame.times)});
   table.add({"start (ms)", printed("%.0f", report.startMs)});
   if (report.frames.size() > 1) table.add({"frames", grouped(report.frames.size()) + ", the last of which is above"});
-  table.print(out);
+  return table;
 }
+
+void printReport(std::FILE* out, const Session& session, const RenderReport& report) { reportTable(session, report).print(out); }
 
 void printExact(std::FILE* out, const ExactComparison& exact, uint32_t frameWidth) {
   std::fprintf(out, "%-12s%zu of %u rays differ from the nearest hit among all triangles\n", "exact", exact.differences.size(), exact.compared);

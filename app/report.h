@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/session.h"
+#include "app/text.h"
 #include "core/exact_check.h"
 #include "core/statistics.h"
 
@@ -37,7 +38,8 @@ struct RenderReport {
 // Of the pipeline's present products. `counted`: the counting trace ran.
 FrameReport reportFrame(Session& session, uint32_t frame, bool counted);
 
-// The statistics table of the last frame.
+// The statistics table of the last frame; rows of a name (empty: of the row before) and a text.
+Table reportTable(const Session& session, const RenderReport& report);
 void printReport(std::FILE* out, const Session& session, const RenderReport& report);
 
 // More than these many rays that graze an edge are not explained by rounding.

@@ -2,6 +2,7 @@
 #include "app/text.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cstdarg>
 
 #include "core/error.h"
@@ -42,6 +43,17 @@ std::string byteText(uint64_t bytes) {
 std::string joined(const std::vector<std::string>& parts, std::string_view separator) {
   std::string text;
   for (const std::string& part : parts) text.append(text.empty() ? "" : separator).append(part);
+  return text;
+}
+
+std::string shellText(const std::vector<std::string>& arguments) {
+  std::string text;
+  for (const std::string& argument : arguments) {
+    const bool plain = !argument.empty() && std::ranges::all_of(argument, [](char c) { return std::isalnum(uint8_t(c)) || std::string_view("-_./,:=+@%").find(c) != std::string_view::npos; });
+    std::string quoted;
+    for (char c : argument) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    text += (text.empty() ? "" : " ") + (plain ? argument : "'" + quoted + "'");
+  }
   return text;
 }
 

@@ -15,6 +15,7 @@ namespace gridscope {
 std::string grouped(uint64_t number);                       // "1,234,567"
 std::string percentOf(uint64_t part, uint64_t whole);       // "12.3 %"; "0 %" of nothing
 std::string byteText(uint64_t bytes);                       // "512 bytes", "2.0 GiB"
+std::string shellText(const std::vector<std::string>& arguments);  // quoted where a shell needs it
 std::string joined(const std::vector<std::string>& parts, std::string_view separator);
 
 // Rows of cells in aligned columns.
@@ -24,6 +25,7 @@ class Table {
   explicit Table(std::string alignment) : alignment_(std::move(alignment)) {}
   void add(std::vector<std::string> row);
   void print(std::FILE* out) const;
+  const std::vector<std::vector<std::string>>& rows() const { return rows_; }
 
  private:
   std::string alignment_;

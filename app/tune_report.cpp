@@ -24,7 +24,7 @@ std::string traceText(const TuneRow& row) {
 }
 
 void addHeader(Table& table) {
-  table.add({"", "cells", "cap.", "overlap", "by", "trace", "memory", "stored", "refused", "saturated", "wrong", "hole", "voxel wrong", "far", "near",
+  table.add({"", "cells", "cap.", "overlap", "by", "back, ahead, gate", "memory", "stored", "refused", "saturated", "wrong", "hole", "voxel wrong", "far", "near",
              "voxel right", "visits", "tests", "build ms", "trace ms"});
 }
 

@@ -38,8 +38,15 @@ MarkShape shapeOf(const TuneRow& row) { return row.grid.overlap == kOverlapExact
 PlotNote noteOf(const TuneRow& row, Amount amountOf, const char* name, uint32_t colour) {
   const std::string about = (row.grid.cellEdge > 0.0f ? std::string("edge") : std::to_string(row.grid.cells)) + " \xC2\xB7 " +
                             std::to_string(row.grid.capacity) + " \xC2\xB7 " + (row.grid.overlap == kOverlapExact ? "exact" : "plane") + " \xC2\xB7 " +
-                            (row.grid.numberBy == NumberBy::area ? "area" : "file");
+                            (row.grid.numberBy == NumberBy::area ? "area" : "file") + (row.trace.traversal == kTraversalDda ? " \xC2\xB7 dda" : "");
   return {amountOf(row), wrongPercent(row), name, about, colour};
+}
+
+// To the next whole step of a tenth to a fifth of the value: 48.4 to 50.
+double roundUp(double value) {
+  if (!(value > 0.0)) return 1.0;
+  const double step = 0.5 * std::pow(10.0, std::floor(std::log10(value)));
+  return step * std::ceil(value / step);
 }
 
 PlotAxis rangeOf(std::string title, const std::vector<TuneRow>& rows, Amount amountOf, bool logarithmic) {
@@ -50,7 +57,7 @@ PlotAxis rangeOf(std::string title, const std::vector<TuneRow>& rows, Amount amo
     axis.high = std::max(axis.high, amountOf(row));
   }
   if (logarithmic) axis.low *= 0.9, axis.high *= 1.1;
-  else axis.low = 0.0;
+  else axis.low = 0.0, axis.high = roundUp(axis.high);
   return axis;
 }
 

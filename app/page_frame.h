@@ -1,0 +1,39 @@
+// Everything that a report's page says about one frame, collected before a line of it is written.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/explain_report.h"
+#include "app/report.h"
+#include "app/session.h"
+
+namespace gridscope {
+
+// A view's picture and the strip below it that says how to read it.
+struct PagePicture {
+  const View* view;
+  Picture picture;
+  Picture legend;
+};
+
+struct PageFrame {
+  std::string scene;                     // its name
+  std::string device;                    // that ran build, update and trace; and its driver
+  CaptureNames names;
+  FrameSettings settings;
+  GridParameters grid{};
+  RenderReport rendered;                 // one frame
+  std::vector<std::vector<std::string>> statistics;   // rows of a name and a text
+  ExplainReport explained;
+  std::vector<RayCounters> counters;     // one a ray
+  std::vector<std::string> brokenInvariants;          // empty: all hold
+  std::vector<std::string> warnings;     // of the scene
+  std::vector<PagePicture> pictures;     // in the order of all views
+  std::string command;                   // that makes the page again
+};
+
+// Runs the stages, finds the truth and paints the views.
+PageFrame makePageFrame(const Options& options, Session& session, Progress& progress);
+
+}  // namespace gridscope
