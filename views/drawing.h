@@ -65,7 +65,8 @@ struct Drawing {
 void place(Drawing& drawing, const Drawing& part, DrawingPoint at);
 
 // A whole SVG element. `themed`: for a page that sets --text, --dim, --line, --panel and the meanings' colours as custom properties: a
-// colour of the palette then names its property, so that the drawing follows the page's theme; other colours stay as they are.
+// colour of the palette then names its property, so that the drawing follows the page's theme; other
+// colours stay as they are, and what is behind it is the page.
 std::string svgOf(const Drawing& drawing, bool themed = false);
 
 // The same as pixels, `scale` of them to one of the drawing's.

@@ -32,7 +32,7 @@ class SvgWriter {
 
   std::string write(const Drawing& drawing) {
     const std::string width = std::to_string(drawing.width), height = std::to_string(drawing.height);
-    text_ = "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " + width + " " + height + "\" width=\"" + width + "\" height=\"" + height +
+    text_ = std::string("<svg") + (themed_ ? "" : " xmlns=\"http://www.w3.org/2000/svg\"") + " viewBox=\"0 0 " + width + " " + height + "\" width=\"" + width + "\" height=\"" + height +
             "\" role=\"img\"><title>" + markupText(drawing.title) + "</title>\n";
     if (!themed_) text_ += "<rect width=\"" + width + "\" height=\"" + height + "\"" + fill(drawing.background) + "/>\n";
     for (const DrawnShape& shape : drawing.shapes) std::visit([this](const auto& one) { add(one); }, shape);

@@ -7,11 +7,8 @@
 
 #include <stb/stb_truetype.h>
 
+#include "core/embed.h"
 #include "core/error.h"
-
-#define EMBED(symbol, path)                                                                                           \
-  __asm__(".pushsection .rodata\n.balign 16\n" #symbol ":\n.incbin \"" path "\"\n.byte 0\n.popsection\n"); \
-  extern "C" const unsigned char symbol[] __attribute__((visibility("hidden")))
 
 EMBED(gridscope_font_sans, GRIDSCOPE_FONT_SANS);
 EMBED(gridscope_font_mono, GRIDSCOPE_FONT_MONO);
