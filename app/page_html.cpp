@@ -19,7 +19,7 @@ static std::string cellHtml(const PageCell& cell, char column) {
     return "<td class=\"bar\"><i style=\"" + mark + printed("width:%.1f%%", percent) + "\"></i></td>";
   }
   const std::string swatch = cell.colour.empty() ? "" : "<span class=\"swatch\"" + markStyle(cell.colour) + "></span>";
-  return (column == 'r' ? "<td class=\"r\">" : "<td>") + swatch + markupText(cell.text) + "</td>";
+  return (column == 'r' ? "<td class=\"r\">" : column == 'n' ? "<td class=\"n\">" : "<td>") + swatch + markupText(cell.text) + "</td>";
 }
 
 PageTable::PageTable(std::string caption, std::string columns, std::vector<std::string> names)

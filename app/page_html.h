@@ -35,7 +35,7 @@ struct PageCell {
 
 class PageTable {
  public:
-  // Columns: a letter each, l left, r right (numbers), b a bar.
+  // Columns: a letter each, l left, n left in one line, r right (numbers), b a bar.
   PageTable(std::string caption, std::string columns, std::vector<std::string> names);
   void add(std::vector<PageCell> cells, bool marked = false);
   bool empty() const { return rows_ == 0; }

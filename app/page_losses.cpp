@@ -20,7 +20,7 @@ std::string nameOr(const std::vector<std::string>& names, uint32_t index, const 
 }
 
 std::string verdictTable(const TruthTotals& totals) {
-  PageTable table("Verdicts", "lrrbl", {"verdict", "rays", "share", "", ""});
+  PageTable table("Verdicts", "nrrbl", {"verdict", "rays", "share", "", ""});
   auto add = [&](const std::string& name, uint64_t count, uint32_t colour, const std::string& about) {
     table.add({PageCell::named(name, cssColour(colour)), grouped(count), percentOf(count, totals.rays), PageCell::bar(shareOf(count, totals.rays), cssColour(colour)), about});
   };
@@ -34,7 +34,7 @@ std::string verdictTable(const TruthTotals& totals) {
 }
 
 std::string causeTable(const TruthTotals& totals) {
-  PageTable table("Causes: the first event along the ray that made it differ", "lrrbl", {"cause", "rays", "of those that differ", "", ""});
+  PageTable table("Causes: the first event along the ray that made it differ", "nrrbl", {"cause", "rays", "of those that differ", "", ""});
   std::vector<uint32_t> causes;
   for (uint32_t cause = kCauseNone + 1; cause < kCauseCount; ++cause)
     if (totals.causes[cause] > 0) causes.push_back(cause);
@@ -60,7 +60,7 @@ std::string groupTable(const char* caption, const std::vector<GroupLoss>& groups
 }
 
 std::string cellTable(const Ledger& ledger, uint64_t rays) {
-  PageTable table("The ten cells that cost the most rays", "lrrbrrr", {"cell", "rays", "of all", "", "tried", "stored", "refused"});
+  PageTable table("The ten cells that cost the most rays", "nrrbrrr", {"cell", "rays", "of all", "", "tried", "stored", "refused"});
   const std::vector<size_t> worst = worstOf(ledger.cells, kMostRows);
   for (size_t i : worst) {
     const CellLoss& cell = ledger.cells[i];
@@ -70,10 +70,24 @@ std::string cellTable(const Ledger& ledger, uint64_t rays) {
   return table.html("None cost a ray.");
 }
 
+// Instances of one file often share a name: their mesh's goes with it.
+std::vector<std::string> instanceNames(const PageFrame& frame) {
+  std::vector<std::string> names = frame.names.instances;
+  std::vector<bool> done(names.size(), false);
+  for (const InstanceSource& source : frame.explained.frame.scene->sources) {
+    if (source.sceneInstance >= names.size() || done[source.sceneInstance]) continue;
+    done[source.sceneInstance] = true;
+    std::string& name = names[source.sceneInstance];
+    const std::string mesh = nameOr(frame.names.meshes, source.mesh, "mesh");
+    if (name != mesh) name = nameOr(names, source.sceneInstance, "instance") + " (" + mesh + ")";
+  }
+  return names;
+}
+
 std::string worstTable(const PageFrame& frame) {
   const ExplainReport& explained = frame.explained;
   const Comparison how{"", "", *explained.frame.scene, &frame.names};
-  PageTable table("The worst rays: whose ends are farthest off", "lrlll", {"pixel", "cell edges off", "verdict", "cause", "surface that should have been hit"});
+  PageTable table("The worst rays: whose ends are farthest off", "nrnnl", {"pixel", "cell edges off", "verdict", "cause", "surface that should have been hit"});
   for (uint32_t ray : explained.worst) {
     const RayTruth& truth = explained.frame.truths[ray];
     table.add({printed("%u,%u", ray % explained.width, ray / explained.width), printed("%.3g", double(distanceOff(explained.frame, ray))),
@@ -95,7 +109,7 @@ std::string costsHtml(const PageFrame& frame) {
   const Ledger& ledger = frame.explained.ledger;
   const uint64_t rays = frame.explained.frame.totals.rays;
   return "<div class=\"columns\"><div>" + groupTable("The ten meshes that cost the most rays", ledger.meshes, frame.names.meshes, "mesh", rays) + "</div><div>" +
-         groupTable("The ten instances that cost the most rays", ledger.instances, frame.names.instances, "instance", rays) + "</div><div>" +
+         groupTable("The ten instances that cost the most rays", ledger.instances, instanceNames(frame), "instance", rays) + "</div><div>" +
          cellTable(ledger, rays) + "</div><div>" + worstTable(frame) + "</div></div>\n";
 }
 

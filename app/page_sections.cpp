@@ -64,7 +64,7 @@ std::string tilesHtml(const PageFrame& frame) {
   html += tile(percentOf(report.grid.refused(), report.grid.stored() + report.grid.refused()), "references refused", kColourSaturated);
   html += tile(percentOf(report.grid.statistics.saturated, report.grid.statistics.occupied), "occupied cells saturated", kColourSaturated);
   html += tile(byteText(gridByteCount(frame.grid)), "memory of the grid", kColourDim);
-  return html + tile(printed("%.2f ms", report.times.trace), "trace", kColourDim) + "</div>\n";
+  return html + tile(printed(report.times.trace < 100.0 ? "%.2f ms" : "%.0f ms", report.times.trace), "trace", kColourDim) + "</div>\n";
 }
 
 std::string picturesHtml(const PageFrame& frame) {

@@ -20,7 +20,7 @@ class PlotFrame {
  public:
   PlotFrame(Drawing& drawing, const PlotAxis& x, const PlotAxis& y, float top) : drawing_(drawing), x_(drawableAxis(x)), y_(drawableAxis(y)), top_(top) {
     left_ = 64.0f;
-    right_ = float(drawing.width) - 18.0f;
+    right_ = float(drawing.width) - 24.0f;
     bottom_ = float(drawing.height) - 42.0f;
   }
 
