@@ -121,6 +121,15 @@ struct Teller {
     story.text(faces >= 3 ? "; a corner was cut." : faces == 2 ? "; an edge of the cell was cut." : "; it was crossed from face to face.").end();
   }
 
+  // How far the ray was from its launching surface, beside the gate.
+  void tellGate() {
+    const RayRecord record = recordRay(truth.trace, input.ray);
+    const auto step = std::ranges::find_if(record.steps, [&](const StepRecord& one) { return one.segment == told.segment && one.cell == told.cell; });
+    if (step == record.steps.end()) return;
+    story.text("There the ray was ").number(edgesText(inEdges(step->travel))).text(" from the plane of the surface that it left; gaps are filled beyond ");
+    story.number(edgesText(inEdges(truth.trace.parameters.gate))).text(".").end();
+  }
+
   void tellCause() {
     story.text("Cause: ").text(std::string(causeName(told.cause).title)).text(". ").text(std::string(causeName(told.cause).about));
     if (gridContains(grid.parameters, told.cell)) story.text(" It took place in ").cell(told.cell);
@@ -128,8 +137,9 @@ struct Teller {
     if (told.reference != kBlank) story.text(", and is about ").triangle(told.reference);
     story.text(told.segment >= 0 || gridContains(grid.parameters, told.cell) || told.reference != kBlank ? "." : "").end();
     if (!gridContains(grid.parameters, told.cell)) return;
-    if (told.cause == kCauseSteppedOver) tellCut(told.cell);
-    else tellSlots(told.cell);
+    if (told.cause == kCauseSteppedOver) return tellCut(told.cell);
+    if (told.cause == kCauseGate) tellGate();
+    tellSlots(told.cell);
   }
 
   void tellProof() {

@@ -24,10 +24,6 @@ struct ExactTrace : TraceLoads {
 // Boxes are padded by this share of the largest coordinate: more than the rounding of the ray test at any place of the scene.
 constexpr float kBoxPadding = 1e-5f;
 
-// Behind the nearest hit so far boxes are still asked for this share of the scene's size: of a triangle that the ray nearly runs along, the test's
-// distance may lie that far from its box.
-constexpr float kFarMargin = 0.01f;
-
 // A ray on its way through the hierarchy.
 struct Query {
   RTCIntersectContext context;  // first: Embree hands it back by this address
@@ -48,7 +44,6 @@ struct ExactReference::Parts {
   std::vector<uint32_t> references;   // of the primitives: triangles with an area, rising
   std::vector<uint32_t> triangles;    // their world triangles
   float padding = 0.0f;               // of boxes, world units
-  float margin = 0.0f;                // behind the best hit, world units
   RTCDevice device = nullptr;
   RTCScene scene = nullptr;
 
@@ -64,13 +59,12 @@ struct ExactReference::Parts {
   void listPrimitives();
   void build();
   void bound(uint32_t primitive, RTCBounds& bounds) const;
-  void offer(Query& query, uint32_t primitive, float& far) const;
+  void offer(Query& query, uint32_t primitive) const;
 };
 
-// Triangles without an area are not surfaces. Sizes for the margins come along.
+// Triangles without an area are not surfaces. The padding comes along.
 void ExactReference::Parts::listPrimitives() {
-  float largest = 0.0f;
-  vec3 low(kFar), high(-kFar);
+  vec3 largest(0.0f);
   for (uint32_t i = 0; i < input.scene.instanceCount(); ++i) {
     const Instance& instance = input.scene.instances[i];
     for (uint32_t k = 0; k < instance.triangleCount; ++k) {
@@ -78,18 +72,16 @@ void ExactReference::Parts::listPrimitives() {
       if (triangleDegenerate(triangleNormal(triangle))) continue;
       references.push_back(makeReference(i, k));
       triangles.push_back(instance.firstWorldTriangle + k);
-      low = min(low, min(triangle.a, min(triangle.b, triangle.c)));
-      high = max(high, max(triangle.a, max(triangle.b, triangle.c)));
+      largest = max(largest, max(abs(triangle.a), max(abs(triangle.b), abs(triangle.c))));
     }
   }
-  if (references.empty()) return;
-  for (int axis = 0; axis < 3; ++axis) largest = std::max({largest, std::abs(low[axis]), std::abs(high[axis])});
-  padding = kBoxPadding * largest;
-  margin = kFarMargin * glm::distance(low, high) + padding;
+  padding = kBoxPadding * std::max(largest.x, std::max(largest.y, largest.z));
 }
 
-// The trace's own test, tMin and alpha keying. Of equal distances the smaller reference, in whatever order they are offered.
-void ExactReference::Parts::offer(Query& query, uint32_t primitive, float& far) const {
+// The trace's own test, tMin and alpha keying. Of equal distances the smaller reference, in whatever order they are offered. Embree is never told
+// how near a hit is, and offers every box along the ray: the distance of a triangle that the ray nearly runs along is rounding, and may lie
+// anywhere, before its box too.
+void ExactReference::Parts::offer(Query& query, uint32_t primitive) const {
   const Triangle& triangle = triangleOf(primitive);
   const uint32_t reference = references[primitive];
   const TriangleTest test = testTriangle(*query.ray, triangle, input.parameters.tMin, kFar);
@@ -98,7 +90,6 @@ void ExactReference::Parts::offer(Query& query, uint32_t primitive, float& far) 
   if (!loads.alphaPasses(reference, triangle, rayPoint(*query.ray, test.t), alphaByte)) return;
   query.best = test.t;
   query.reference = reference;
-  far = std::min(far, test.t + margin);
 }
 
 void ExactReference::Parts::bound(uint32_t primitive, RTCBounds& bounds) const {
@@ -120,9 +111,8 @@ void ExactReference::Parts::build() {
     static_cast<const Parts*>(arguments->geometryUserPtr)->bound(arguments->primID, *arguments->bounds_o);
   }, nullptr);
   rtcSetGeometryIntersectFunction(geometry, [](const RTCIntersectFunctionNArguments* arguments) {
-    RTCRayHit& rayHit = *reinterpret_cast<RTCRayHit*>(arguments->rayhit);
     Query& query = *reinterpret_cast<Query*>(arguments->context);
-    static_cast<const Parts*>(arguments->geometryUserPtr)->offer(query, arguments->primID, rayHit.ray.tfar);
+    static_cast<const Parts*>(arguments->geometryUserPtr)->offer(query, arguments->primID);
   });
   rtcCommitGeometry(geometry);
   rtcAttachGeometry(scene, geometry);

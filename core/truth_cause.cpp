@@ -44,7 +44,18 @@ struct Reading {
   const GridParameters& grid = input.trace.grid.parameters;
   const TraceParameters& trace = input.trace.parameters;
   const vec3 point = rayPoint(ray, exact.t);
-  const ivec3 home = gridCell(grid, point);
+  const ivec3 home = homeCell();
+
+  // The cell that the hit lies in: of two that share a face the one that wants the triangle, its own before its neighbours.
+  ivec3 homeCell() const {
+    const ivec3 own = gridCell(grid, point);
+    if (exact.kind != kHitTriangle || input.demand.wants(own, exact.reference)) return own;
+    for (int i = 0; i < 27; ++i) {
+      const ivec3 cell = own + ivec3(i % 3, i / 3 % 3, i / 9) - ivec3(1);
+      if (nearCell(grid, cell, point) && input.demand.wants(cell, exact.reference)) return cell;
+    }
+    return own;
+  }
 
   bool dda() const { return trace.traversal == kTraversalDda; }
   bool endedIn(const StepRecord& step, uint32_t kind) const { return record.hit.kind == kind && &step == &record.steps.back(); }
