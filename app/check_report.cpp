@@ -66,8 +66,11 @@ void printCheck(std::FILE* out, const Session& session, const CheckReport& repor
   table.print(out);
 
   const GridStatistics& cells = report.grid.statistics;
-  std::fprintf(out, "%-12s%s tried, %s stored, %s refused (%s)\n", "references", grouped(triedIn(report.grid)).c_str(), grouped(report.grid.stored()).c_str(),
-               grouped(report.grid.refused()).c_str(), percentOf(report.grid.refused(), triedIn(report.grid)).c_str());
+  if (session.pipeline().parameters().grid.reserved == 2)
+    std::fprintf(out, "%-12s%s tried, %s stored, %s refused (%s)\n", "references", grouped(triedIn(report.grid)).c_str(), grouped(report.grid.stored()).c_str(),
+                 grouped(report.grid.refused()).c_str(), percentOf(report.grid.refused(), triedIn(report.grid)).c_str());
+  else
+    std::fprintf(out, "%-12s%s stored; what was refused is not counted\n", "references", grouped(report.grid.stored()).c_str());
   std::fprintf(out, "%-12s%s occupied, %s saturated (%s)\n", "cells", grouped(cells.occupied).c_str(), grouped(cells.saturated).c_str(),
                percentOf(cells.saturated, cells.occupied).c_str());
   if (report.stability) printStability(out, *report.stability, report.rays);

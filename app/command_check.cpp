@@ -14,11 +14,13 @@ namespace {
 // A check in progress.
 class Check {
  public:
-  Check(const Options& options, uint64_t steps) : options_(options), progress_(steps), session_(options, progress_), pipeline_(session_.pipeline()) {}
+  Check(const Options& options, uint64_t steps) : options_(options), progress_(steps), session_(options, progress_), pipeline_(session_.pipeline()) {
+    if (options.frames == 1 && session_.capture()) frameCount_ = uint32_t(session_.capture()->frames.size());
+  }
 
   int run() {
-    for (uint32_t frame = 0; frame < options_.frames; ++frame) {
-      progress_.step(printed("frame %u of %u", frame + 1, options_.frames));
+    for (uint32_t frame = 0; frame < frameCount_; ++frame) {
+      progress_.step(printed("frame %u of %u", frame + 1, frameCount_));
       if (capturedGrid()) checkCaptured(frame);
       else checkBuilt(frame);
     }
@@ -104,7 +106,7 @@ class Check {
 
   void compareOrders() {
     progress_.step("compare builds");
-    const uint32_t last = options_.frames - 1;
+    const uint32_t last = frameCount_ - 1;
     report_.stability = compareBuilds(pipeline_, options_.stability, [&] { session_.rebuild(last); });
     if (!capturedGrid()) return;
     session_.update(last);  // the truth is of the captured grid
@@ -125,6 +127,7 @@ class Check {
   Progress progress_;
   Session session_;
   Pipeline& pipeline_;
+  uint32_t frameCount_ = options_.frames;  // of a capture all, where none are named
   Grid built_;                         // after the build, before the first update
   CheckReport report_;
 };

@@ -3,6 +3,8 @@
 
 #include "core/cell_rays.h"
 #include "core/cell_updates.h"
+#include "core/error.h"
+#include "core/frame_capture.h"
 #include "core/frame_truth.h"
 #include "core/stability.h"
 
@@ -13,7 +15,9 @@ Findings::Findings(Session& session, const Options& options) : session_(session)
 }
 
 void Findings::beforeUpdate() {
-  if (needs(ViewNeed::cellUpdates)) before_ = session_.pipeline().grid();
+  if (!needs(ViewNeed::cellUpdates)) return;
+  if (session_.capture() && !builtHere(*session_.capture())) throw Error(options_.scene + ": its grid was built elsewhere, and no update changes it");
+  before_ = session_.pipeline().grid();
 }
 
 void Findings::afterTrace(uint32_t frame) {

@@ -340,7 +340,7 @@ void addDifferenceFolderOption(CLI::App& command, Options& options) {
 
 void addCheckChoices(CLI::App& command, Options& options) {
   OptionGroup group(command, "Check");
-  group.whole("--frames", options.frames, {1, kMostFrames}, std::to_string(options.frames), "How many");
+  group.whole("--frames", options.frames, {1, kMostFrames}, "1, of a capture all", "How many");
   group.whole("--stability", options.stability, {2, 10000}, "none",
               "Compare N builds: cells and rays that differ; with --insertion first-come the order of arrival decides");
   group.flag("--salvage", options.captures.salvage, true, "Open a damaged capture without the entries that fail");

@@ -31,7 +31,8 @@ uint costOf(uint reference) {
 
 CellRays raysOf(ivec3 cell) {
   uint number = cellNumber(gridParameters(), cell);
-  return number < uint(cellRays.length()) ? cellRays[number] : CellRays(0u, 0u);
+  if (number < uint(cellRays.length())) return cellRays[number];
+  return CellRays(0u, 0u);
 }
 
 uint stabilityOf(ivec3 cell) {
@@ -43,7 +44,8 @@ bool rayChanges(uint pixel) { return pixel < uint(stableRays.length()) && stable
 
 CellUpdate updateOf(ivec3 cell) {
   uint number = cellNumber(gridParameters(), cell);
-  return number < uint(cellUpdates.length()) ? cellUpdates[number] : CellUpdate(0u, 0u, 0u, kBlank);
+  if (number < uint(cellUpdates.length())) return cellUpdates[number];
+  return CellUpdate(0u, 0u, 0u, kBlank);
 }
 
 // A cell that an update touched, in its instance's colour: filled as it is, only cleared hatched, what it held before dim.

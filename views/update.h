@@ -3,7 +3,7 @@
 {.name = "update",
  .title = "Cells that the last update changed",
  .unit = "",
- .about = "In the colour of the instance that caused it: filled cells; hatched, cells that were only cleared; dim, cells that hold what they held.",
+ .about = "In the colour of the instance that caused it: filled cells; hatched, cells that were only cleared; dim, cells that hold what they held. Elsewhere the picture is dimmed.",
  .scope = ViewScope::surface,
  .needsGrid = true,
  .need = ViewNeed::cellUpdates,
@@ -13,8 +13,9 @@ ViewElement viewElement(uint pixel) {
   GatherPixel seen = gatherPixels[pixel];
   if (seen.reference == kBlank) return noElement();
   ivec3 cell = surfaceCell(seen);
-  CellUpdate update = gridContains(gridParameters(), cell) ? updateOf(cell) : CellUpdate(0u, 0u, 0u, kBlank);
-  if (update.instance == kBlank) return litElement(paintedElement(colourElement(unpackColour(kColourLine)), seen), 0.5);
+  CellUpdate update = CellUpdate(0u, 0u, 0u, kBlank);
+  if (gridContains(gridParameters(), cell)) update = updateOf(cell);
+  if (update.instance == kBlank) return litElement(colourElement(toneMapped(finalLight(pixel))), 1.0 / 3.0);
   return paintedElement(updateElement(update, uvec2(pixel % parameters.view.width, pixel / parameters.view.width)), seen);
 }
 #endif
