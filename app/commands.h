@@ -54,8 +54,11 @@ int runTune(const Options& options);
 
 void addReportOptions(CLI::App& command, Options& options);
 int runReport(const Options& options);
+void addWindowOptions(CLI::App& command, Options& options);
+int runWindowCommand(const Options& options);
 
 inline constexpr Command kCommands[] = {
+    {"window", "Open the window: every view live, cells in 3D, one ray stepped forward and back", addWindowOptions, runWindowCommand},
     {"render", "Run all stages on a scene: pictures of its views, and statistics", addRenderOptions, runRender},
     {"scenes", "List the built-in scenes", addScenesOptions, runScenes},
     {"info", "List the Vulkan devices: what each can do, and its self-test", addInfoOptions, runInfo},

@@ -32,6 +32,8 @@ struct SceneFacts {
   uint32_t captureFrames = 0;          // of a capture's sequence; 0: not a capture
   bool foreign = false;                // another engine's grid: build and update do not apply
   std::string note;                    // of a capture
+  bool lacksDiffuseMaps = false;       // a capture whose surfaces show their base colour
+  FrameSettings ownSettings;           // the source's own, for a reset
   std::vector<std::string> warnings;
 };
 
@@ -55,6 +57,7 @@ struct FrameSnapshot {
   FrameParameters parameters{};
   StageTimes times;
   std::string device;                  // that runs build, update and trace
+  std::string fault;                   // why the request before this one could not be met; empty: it was. `request` is what is shown instead
   bool stale = false;                  // stages are running again: values hold for the request before
   float traced = 1.0f;                 // share of the rays that this frame's trace has done
 

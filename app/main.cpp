@@ -3,19 +3,41 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <cstring>
 #include <new>
 #include <string>
 #include <vector>
 
 #include "app/commands.h"
+#include "app/window.h"
+#include "core/built_in_scenes.h"
 #include "core/error.h"
 
 namespace gridscope {
 
 namespace {
 
-// Without arguments: the main job on the built-in scene.
+// Without arguments, and without a display: the main job on the built-in scene.
 const std::vector<std::string> kMainJob = {"render", "--view", "all"};
+
+// A scene or a capture as the first argument: the window is meant.
+bool namesScene(const std::string& argument) {
+  const auto ends = [&](const char* ending) { return argument.size() > std::strlen(ending) && argument.ends_with(ending); };
+  if (ends(".glb") || ends(".gltf") || ends(".gridcap") || ends(".GLB") || ends(".GLTF")) return true;
+  return std::ranges::any_of(builtInScenes(), [&](const BuiltInScene& scene) { return scene.name == argument; });
+}
+
+// What the arguments mean where no command is named.
+std::vector<std::string> withCommand(std::vector<std::string> arguments) {
+  if (arguments.empty()) {
+    const std::string why = whyNoWindow();
+    if (why.empty()) return {"window"};
+    std::fprintf(stderr, "gridscope: %s: every view of the hall is rendered to out/ instead of opening the window\n", why.c_str());
+    return kMainJob;
+  }
+  if (namesScene(arguments.front())) arguments.insert(arguments.begin(), "window");
+  return arguments;
+}
 
 // A first argument that is neither an option nor a command; empty: there is none.
 std::string unknownCommand(const std::vector<std::string>& arguments) {
@@ -44,8 +66,8 @@ const Command* readCommandLine(CLI::App& app, Options& options, std::vector<std:
   for (const Command& command : kCommands) command.addOptions(*app.add_subcommand(command.name, command.about), options);
   app.footer("Exit codes: 0 done or equal, 1 different or a check failed, 2 bad input or arguments,\n3 the device can't do it or was lost.");
 
+  arguments = withCommand(std::move(arguments));
   if (const std::string fault = unknownCommand(arguments); !fault.empty()) throw Error(fault);
-  if (arguments.empty()) arguments = kMainJob;
   options.arguments = arguments;
   std::reverse(arguments.begin(), arguments.end());  // as CLI11 wants them
   try {
@@ -65,7 +87,7 @@ const Command* readCommandLine(CLI::App& app, Options& options, std::vector<std:
 }
 
 int run(const std::vector<std::string>& arguments) {
-  CLI::App app("Shows what a fixed-capacity triangle grid does to every ray.\nWithout arguments: every view of the built-in hall, in out/.", "gridscope");
+  CLI::App app("Shows what a fixed-capacity triangle grid does to every ray.\nWithout arguments: the window on the built-in hall (without a display: its views, in out/).\nWith a scene or a capture alone: the window on it.", "gridscope");
   Options options;
   int exitCode = kExitDone;
   const Command* command = readCommandLine(app, options, arguments, exitCode);

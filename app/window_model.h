@@ -5,6 +5,7 @@
 #include <array>
 #include <deque>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <set>
@@ -94,12 +95,31 @@ struct LongWork {
   double seconds = 0.0;                // so far
 };
 
+// Sizes of the regions beside and below the viewport, pixels at UI scale 1.
+struct Splits {
+  float left = 300.0f;
+  float right = 380.0f;
+  float bottom = 248.0f;
+};
+
+// A capture to write of the frame that is shown.
+struct CaptureWish {
+  std::string file;
+  std::string note;
+};
+
+// Where to go once the truth is told.
+enum class Jump { none, nextHole, nextVoxelWrong };
+
 struct WindowModel {
   // The worker.
   FrameRequest request;                          // what is wanted now; changes are sent once a display frame
   std::shared_ptr<const FrameSnapshot> frame;    // what there is; null until the first
   std::optional<LongWork> work;
   bool cancelWork = false;                       // set by a Cancel button
+  std::optional<CaptureWish> captureWish;        // handed to the worker once
+  std::vector<std::string> savedViews;           // names of views to write as PNG, NAME.png beside where the program was started
+  Jump pendingJump = Jump::none;
   std::string shaderFault;                       // the compiler's text of the last F5; empty: shaders are current
   std::vector<FrameSettings> undo;               // settings before each change, last at the end
 
@@ -129,7 +149,8 @@ struct WindowModel {
   uint32_t colourMap = kColourMapViridis;
   Overlays overlays;
   CameraState camera;
-  std::vector<Bookmark> bookmarks;
+  std::vector<Bookmark> bookmarks;               // of the scene that is shown
+  std::map<std::string, std::vector<Bookmark>> savedBookmarks;  // of all scenes, by path or name: preferences
   Theme theme = Theme::dark;
   float uiScale = 1.0f;
   std::string search;                            // text of the search box
@@ -138,7 +159,12 @@ struct WindowModel {
   std::vector<std::string> recentFiles;          // last used first
   std::string captureName, captureNote;          // of the next capture
   bool captureDialogOpen = false;
+  bool openDialogOpen = false;
+  std::string openPath;                          // typed in the Open dialog
   bool quit = false;
+  bool flying = false;                           // the right mouse button steers the camera: keys move it
+  Splits splits;
+  double interfaceMs = 0.0;                      // of building and submitting the last frame of the interface
 
   std::deque<LogLine> log;
   std::string toast;                             // last message, shown for a moment over the viewport
@@ -148,7 +174,9 @@ struct WindowModel {
   void say(LogLine::Kind kind, std::string text);                 // into the log, and on standard error when it is an error
   void changeSettings(const std::function<void(FrameSettings&)>& change);  // remembers the old for undo
   void showTab(BottomTab tab) { bottomTab = tab, bottomTabWanted = true; }
+  void showMessage(std::string text);            // for a moment over the viewport, and into the log
   double now = 0.0;                              // seconds since the start
+  bool logToStandardError = false;               // every line of the log, not errors alone
 };
 
 }  // namespace gridscope

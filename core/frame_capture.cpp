@@ -57,7 +57,7 @@ std::vector<ExactHit> traceExactHits(const TraceInput& input, std::span<const Ra
 
 PipelineInputs pipelineInputs(const Capture& capture, size_t frame) {
   PipelineInputs inputs{.name = capture.names.scene, .numbered = frameScene(capture, frame), .settings = capture.settings,
-                        .parameters = frameParameters(capture, frame)};
+                        .parameters = frameParameters(capture, frame), .bounds = capture.bounds};
 
   // Diffuse maps are not in the capture: surfaces show their base colour.
   for (TraceMaterial& material : inputs.numbered.materials) material.layer = kNoLayer;

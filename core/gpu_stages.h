@@ -31,6 +31,8 @@ class GpuStages {
 
   // Allocates the grid image; its preflight is checkGridFits().
   void makeGrid(const GridParameters& grid);
+  // Allocates what a frame of that size needs.
+  void makeTargets(uint32_t width, uint32_t height);
   // Runs compute passes once on zeroed parameters, where each finds nothing to do: drivers compile a pass when it first runs.
   void warm(std::span<const std::string> stems);
   void setParameters(const FrameParameters& parameters);
@@ -47,7 +49,7 @@ class GpuStages {
   void transformAll();   // world triangles of every instance, without touching the grid
   double gather();
   double bounce();
-  double trace(bool counting);
+  double trace(uint32_t firstRay, uint32_t endRay, bool counting);
   double view(const std::string& name, uint32_t width, uint32_t height);
   RayRecord record(uint32_t pixel);
 
@@ -70,7 +72,6 @@ class GpuStages {
   void makeBuffer(int binding, const std::string& name, uint64_t byteCount);
   void uploadScene(const NumberedScene& numbered);
   void uploadImages(std::span<const Image> images, uint32_t textureSize);
-  void makeTargets(uint32_t width, uint32_t height);
 
   // Passes over instances (gpu_build.cpp).
   PassArguments argumentsFor(InstanceRange range, uint32_t take) const;

@@ -45,9 +45,8 @@ void throwCut(const std::string& what) {
 }  // namespace
 
 // As many passes as the segments of the longest ray need; a pass after the first takes only the rays that are not done.
-double GpuStages::trace(bool counting) {
+double GpuStages::trace(uint32_t firstRay, uint32_t endRay, bool counting) {
   const std::string stem = counting ? "trace_counting" : "trace";
-  uint32_t rays = parameters_.camera.width * parameters_.camera.height;
   uint32_t segments = parameters_.trace.maxSegments + 2;  // it may take one more to say "limit"
   uint32_t passes = (segments + parameters_.trace.segmentsPerPass - 1) / parameters_.trace.segmentsPerPass;
   double time = 0.0;
@@ -55,8 +54,8 @@ double GpuStages::trace(bool counting) {
     GpuCommands commands(gpu_);
     zero(commands, kBindTraceReport);
     commands.pass(stem, [&] {
-      for (uint32_t first = 0; first < rays; first += kMostRaysPerDispatch) {
-        TraceArguments arguments{first, first + std::min(kMostRaysPerDispatch, rays - first), pass > 0};
+      for (uint32_t first = firstRay; first < endRay; first += kMostRaysPerDispatch) {
+        TraceArguments arguments{first, first + std::min(kMostRaysPerDispatch, endRay - first), pass > 0};
         programs_.dispatch(commands, stem, {int(arguments.endRay - first), 1, 1}, bytesOf(arguments));
       }
     });

@@ -36,8 +36,8 @@ Pipeline::Pipeline(GpuContext& gpu, const Scene& scene, const FrameSettings& set
 }
 
 Pipeline::Pipeline(GpuContext& gpu, PipelineInputs inputs, StageDevice device)
-    : gpu_(gpu), name_(std::move(inputs.name)), settings_(inputs.settings), device_(device), numbered_(std::move(inputs.numbered)),
-      parameters_(inputs.parameters) {
+    : gpu_(gpu), name_(std::move(inputs.name)), settings_(inputs.settings), device_(device), bounds_(inputs.bounds),
+      numbered_(std::move(inputs.numbered)), parameters_(inputs.parameters) {
   prepare({});
 }
 
@@ -80,6 +80,26 @@ void Pipeline::setTrace(const TraceSettings& settings) {
 void Pipeline::setBounce(const BounceSettings& settings) {
   settings_.bounce = settings;
   setFrameParameters();
+}
+
+void Pipeline::setGrid(const GridSettings& settings) {
+  CHECK(settings.numberBy == settings_.grid.numberBy && !bounds_.empty());
+  const bool onDevice = device_ == StageDevice::vulkan;
+  const GridParameters grid = deriveGrid(settings, settings.bounds.value_or(bounds_), numbered_);
+  checkGridFits(settings, grid, onDevice ? gpu_.gridLimits() : GridLimits{});
+  settings_.grid = settings;
+  parameters_.grid = grid;
+  setFrameParameters();
+  if (onDevice) stages_->makeGrid(grid);
+  stages_->setParameters(parameters_);
+}
+
+void Pipeline::setSize(uint32_t width, uint32_t height) {
+  settings_.width = width;
+  settings_.height = height;
+  setFrameParameters();
+  stages_->makeTargets(width, height);
+  stages_->setParameters(parameters_);
 }
 
 void Pipeline::build() {
@@ -211,21 +231,29 @@ void Pipeline::useCellUpdates(std::span<const CellUpdate> cells) {
   stages_->keep(kBindCellUpdates, "cell updates", cells);
 }
 
-void Pipeline::trace(bool counting) {
+void Pipeline::trace(bool counting) { traceTile(0, rayCount(), counting); }
+
+void Pipeline::traceTile(uint32_t first, uint32_t end, bool counting) {
+  CHECK(first <= end && end <= rayCount());
+  if (first == 0) times_.trace = 0.0;
   if (device_ == StageDevice::vulkan) {
     stages_->setParameters(parameters_);
     if (counting) stages_->warm(std::vector<std::string>{"trace_counting"});
-    times_.trace = stages_->trace(counting);
+    times_.trace += stages_->trace(first, end, counting);
     return;
   }
   std::vector<Ray> traced = rays();
-  std::vector<Hit> hits(traced.size());
-  std::vector<RayCounters> counted(counting ? traced.size() : 0);
+  std::vector<Hit> hit = first == 0 && end == rayCount() ? std::vector<Hit>(traced.size()) : hits();
+  std::vector<RayCounters> counted(counting ? end - first : 0);
   auto start = std::chrono::steady_clock::now();
-  traceRays({cpuGrid_, numbered_, cpuWorldTriangles_, parameters_.trace}, traced, hits, counted);
-  times_.trace = millisecondsSince(start);
-  stages_->write(kBindHits, std::span<const Hit>(hits));
-  if (counting) stages_->write(kBindCounters, std::span<const RayCounters>(counted));
+  traceRays({cpuGrid_, numbered_, cpuWorldTriangles_, parameters_.trace}, std::span(traced).subspan(first, end - first),
+            std::span(hit).subspan(first, end - first), counted);
+  times_.trace += millisecondsSince(start);
+  stages_->write(kBindHits, std::span<const Hit>(hit));
+  if (!counting) return;
+  std::vector<RayCounters> all = first == 0 && end == rayCount() ? std::vector<RayCounters>(end) : counters();
+  std::ranges::copy(counted, all.begin() + first);
+  stages_->write(kBindCounters, std::span<const RayCounters>(all));
 }
 
 Pipeline::ViewImage Pipeline::view(std::string_view name, const SliceSettings& slice, bool readsGrid) {

@@ -42,6 +42,7 @@ struct PipelineInputs {
   NumberedScene numbered;
   FrameSettings settings;
   FrameParameters parameters;    // taken as they are, bit for bit
+  Bounds bounds{};               // of the scene; empty: settings can't be changed later
 };
 
 // A layer of cells for the view `slice`. index < 0: the layer in the middle of the grid.
@@ -66,6 +67,9 @@ class Pipeline {
   void gather();
   void bounce(uint32_t frame);
   void trace(bool counting);                   // counting: also the counters, which cost a little
+
+  // Rays [first, end) alone: the caller sees to it that every ray of the frame is traced once. times().trace adds up from first = 0 on.
+  void traceTile(uint32_t first, uint32_t end, bool counting);
 
   // Products from elsewhere, instead of a stage's. Sizes must be those of the frame.
   void useGrid(std::span<const uint32_t> texels);    // instead of build and update: the instances' present transforms are applied
@@ -96,6 +100,10 @@ class Pipeline {
   void setCamera(const CameraPose& camera);
   void setTrace(const TraceSettings& settings);
   void setBounce(const BounceSettings& settings);
+  // Another grid for the same numbering (numberBy must not differ): build() comes next. Throws Error, and changes nothing, when it does not fit.
+  void setGrid(const GridSettings& settings);
+  // Another frame size: gather() comes next.
+  void setSize(uint32_t width, uint32_t height);
 
   // Facts.
   const std::string& name() const { return name_; }

@@ -1,4 +1,4 @@
-// Text through stb_truetype. GRIDSCOPE_FONT_SANS and GRIDSCOPE_FONT_MONO are the font files' paths.
+// Text through stb_truetype. GRIDSCOPE_FONT_... are the font files' paths.
 #include "views/fonts.h"
 
 #include <algorithm>
@@ -12,8 +12,15 @@
 
 EMBED(gridscope_font_sans, GRIDSCOPE_FONT_SANS);
 EMBED(gridscope_font_mono, GRIDSCOPE_FONT_MONO);
+EMBED(gridscope_font_bold, GRIDSCOPE_FONT_BOLD);
 
 namespace gridscope {
+
+std::span<const unsigned char> fontFile(FontFile file) {
+  if (file == FontFile::sans) return {gridscope_font_sans, gridscope_font_sans_end};
+  if (file == FontFile::bold) return {gridscope_font_bold, gridscope_font_bold_end};
+  return {gridscope_font_mono, gridscope_font_mono_end};
+}
 
 static stbtt_fontinfo openFont(const unsigned char* bytes) {
   stbtt_fontinfo font;

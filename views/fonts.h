@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -10,6 +11,10 @@
 namespace gridscope {
 
 enum class Font { sans, mono };
+
+// The bytes of an embedded font file.
+enum class FontFile { sans, bold, mono };
+std::span<const unsigned char> fontFile(FontFile file);
 
 struct TextStyle {
   Font font = Font::sans;

@@ -1,0 +1,110 @@
+// See camera_moves.h.
+#include "app/camera_moves.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/gtc/quaternion.hpp>
+
+namespace gridscope {
+
+static constexpr float kSteepest = 1.5533f;   // radians: 89 degrees
+
+vec3 worldUp(const CameraState& camera) { return camera.zUp ? vec3(0, 0, 1) : vec3(0, 1, 0); }
+
+// `direction` turned about the up axis and raised towards it, never quite upright.
+static vec3 turned(const vec3& direction, const vec3& up, float turn, float rise) {
+  const vec3 unit = glm::normalize(direction);
+  const float height = std::asin(std::clamp(glm::dot(unit, up), -1.0f, 1.0f));
+  const float wanted = std::clamp(height + rise, -kSteepest, kSteepest);
+  vec3 level = unit - up * glm::dot(unit, up);
+  if (glm::dot(level, level) < 1e-8f) level = std::abs(up.y) > 0.5f ? vec3(0, 0, 1) : vec3(1, 0, 0);
+  level = glm::angleAxis(turn, up) * glm::normalize(level);
+  return glm::length(direction) * (level * std::cos(wanted) + up * std::sin(wanted));
+}
+
+void orbitCamera(CameraState& camera, float turn, float rise) {
+  camera.pose.up = worldUp(camera);
+  camera.pose.eye = camera.pose.target - turned(camera.pose.target - camera.pose.eye, camera.pose.up, turn, rise);
+}
+
+void turnCamera(CameraState& camera, float turn, float rise) {
+  camera.pose.up = worldUp(camera);
+  camera.pose.target = camera.pose.eye + turned(camera.pose.target - camera.pose.eye, camera.pose.up, turn, rise);
+}
+
+void moveCamera(CameraState& camera, vec3 way) {
+  const vec3 forward = glm::normalize(camera.pose.target - camera.pose.eye);
+  const vec3 right = glm::normalize(glm::cross(forward, camera.pose.up)), up = glm::cross(right, forward);
+  const vec3 offset = right * way.x + up * way.y + forward * way.z;
+  camera.pose.eye += offset;
+  camera.pose.target += offset;
+}
+
+void dollyCamera(CameraState& camera, float factor) {
+  camera.pose.eye = camera.pose.target + (camera.pose.eye - camera.pose.target) * std::clamp(factor, 0.05f, 20.0f);
+}
+
+void focusCamera(CameraState& camera, const Bounds& bounds) {
+  if (bounds.empty()) return;
+  const vec3 middle = 0.5f * (bounds.low + bounds.high);
+  const float radius = std::max(0.5f * glm::distance(bounds.low, bounds.high), 1e-6f);
+  const float distance = 2.5f * radius / std::tan(0.5f * glm::radians(camera.pose.verticalFovDegrees));
+  const vec3 back = glm::normalize(camera.pose.eye - camera.pose.target);
+  camera.pose.target = middle;
+  camera.pose.eye = middle + back * distance;
+}
+
+void lookAlong(CameraState& camera, int axis, bool positive) {
+  const float distance = glm::distance(camera.pose.eye, camera.pose.target);
+  vec3 back(0.0f);
+  back[axis] = positive ? 1.0f : -1.0f;
+  const vec3 up = worldUp(camera);
+  // Straight along up there is no level direction: a little aside of it.
+  if (std::abs(glm::dot(back, up)) > 0.99f) back = glm::normalize(back + 0.01f * (camera.zUp ? vec3(0, -1, 0) : vec3(0, 0, 1)));
+  camera.pose.up = up;
+  camera.pose.eye = camera.pose.target + back * distance;
+}
+
+Bounds selectedBounds(const WindowModel& model) {
+  Bounds bounds;
+  if (!model.frame || !model.frame->scene) return bounds;
+  const FrameSnapshot& frame = *model.frame;
+  const Selection& selected = model.selected();
+  const GridParameters& grid = frame.parameters.grid;
+  const auto includeCell = [&](const ivec3& cell) {
+    const vec3 low = grid.origin + vec3(cell) * grid.cellEdge;
+    bounds.include(low), bounds.include(low + vec3(grid.cellEdge));
+  };
+  const auto includeReference = [&](uint32_t reference) {
+    const uint32_t instance = referenceInstance(reference);
+    if (!frame.worldTriangles || !frame.instances || instance >= frame.instances->size()) return;
+    const Triangle& t = (*frame.worldTriangles)[(*frame.instances)[instance].firstWorldTriangle + referenceTriangle(reference)];
+    bounds.include(t.a), bounds.include(t.b), bounds.include(t.c);
+  };
+  switch (selected.last) {
+    case Selected::nothing: break;
+    case Selected::pixel:
+      if (selected.pixel && frame.gather && *selected.pixel < frame.gather->size()) {
+        const vec3 seen = (*frame.gather)[*selected.pixel].position;
+        bounds.include(seen - vec3(grid.cellEdge)), bounds.include(seen + vec3(grid.cellEdge));
+      }
+      break;
+    case Selected::step:
+      if (frame.record && selected.step < frame.record->record.steps.size()) includeCell(frame.record->record.steps[selected.step].cell);
+      break;
+    case Selected::cell: includeCell(*selected.cell); break;
+    case Selected::triangle: includeReference(*selected.reference); break;
+    case Selected::instance:
+      if (!frame.worldTriangles || !frame.instances) break;
+      for (size_t i = 0; i < frame.scene->numbered.sources.size(); ++i) {
+        if (frame.scene->numbered.sources[i].sceneInstance != *selected.instance) continue;
+        const Instance& instance = (*frame.instances)[i];
+        for (uint32_t t = 0; t < instance.triangleCount; ++t) includeReference(makeReference(uint32_t(i), t));
+      }
+      break;
+  }
+  return bounds;
+}
+
+}  // namespace gridscope

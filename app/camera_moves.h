@@ -1,0 +1,26 @@
+// How a person moves a camera: around a point, through space, towards a thing. No ImGui here.
+#pragma once
+
+#include "app/window_model.h"
+
+namespace gridscope {
+
+// Around the target, by angles in radians.
+void orbitCamera(CameraState& camera, float turn, float rise);
+// Looks around from where it stands.
+void turnCamera(CameraState& camera, float turn, float rise);
+// Moves eye and target along right, up and forward, world units.
+void moveCamera(CameraState& camera, vec3 rightUpForward);
+// Nearer to the target (factor below 1) or farther.
+void dollyCamera(CameraState& camera, float factor);
+// Looks at a box from the present direction, near enough to fill the view.
+void focusCamera(CameraState& camera, const Bounds& bounds);
+// Looks along an axis at the same target: 0 x, 1 y, 2 z; `positive`: from its positive end.
+void lookAlong(CameraState& camera, int axis, bool positive);
+
+vec3 worldUp(const CameraState& camera);
+
+// What is selected, as a box in the world; empty: nothing.
+Bounds selectedBounds(const WindowModel& model);
+
+}  // namespace gridscope

@@ -1,0 +1,91 @@
+// Makes the frame that a request asks for: runs the stages whose inputs changed, in an order in which something new can be shown soon, and
+// stops between two pieces of work when another request has come. What was done by then is kept.
+#pragma once
+
+#include <chrono>
+#include <functional>
+#include <future>
+#include <set>
+
+#include "app/frame_changes.h"
+#include "app/frame_source.h"
+#include "app/window_model.h"
+#include "core/gpu_context.h"
+
+namespace gridscope {
+
+// What the maker tells, and asks, while it works. All are called on its thread.
+struct FrameListener {
+  std::function<void(std::shared_ptr<const FrameSnapshot>)> publish;
+  std::function<bool()> interrupted;                       // has another request come?
+  std::function<bool()> cancelled;                         // has the person cancelled the long work? true once
+  std::function<void(std::optional<LongWork>)> working;    // nothing: the long work is over
+  std::function<void(LogLine::Kind, std::string)> say;
+};
+
+class FrameMaker {
+ public:
+  FrameMaker(GpuContext& gpu, const Options& start, FrameListener listener);
+  ~FrameMaker();
+
+  // Returns when the frame is made or another request has come.
+  void make(const FrameRequest& request);
+
+  // Writes the present frame. Throws Error; also when no frame is complete.
+  void writeCapture(const CaptureWish& wish);
+
+  // The passes are compiled anew from shaders/ and replace the embedded ones; the frame is made again with the next request. Returns the
+  // compiler's text where one fails, and everything stays as it was.
+  std::string reloadShaders();
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  // The stages, in order; each returns false when another request has come.
+  bool bringSource(FrameRequest& request);
+  bool bringPipeline();
+  bool buildAndUpdate();
+  bool makeRays();
+  bool traceTiles();
+  bool fillViews(bool complete);
+  bool readProducts();
+  bool recordRay();
+  bool measureGrid();
+  bool tellTruth();
+
+  void publish(bool stale);
+  bool interrupted() const { return listener_.interrupted(); }
+  bool waitForLoad(std::future<LoadedSource>& loading, const std::string& what);
+  void fail(const std::string& fault);          // keeps what there was, and says why
+  void forgetPixels();
+  void replaceSource(LoadedSource loaded);
+  void applySettings(const FrameSettings& settings);
+  FrameSettings pipelineSettings() const;
+  bool capturedGridHolds() const;
+  bool capturedRaysHold() const;
+  const CaptureFrame& capturedFrame() const;
+  void countTime(const FrameRequest& request);
+
+  GpuContext& gpu_;
+  Options start_;
+  FrameListener listener_;
+  StageDevice device_;
+
+  std::optional<LoadedSource> loaded_;
+  Scene edited_;                                // loaded_->scene with the edits; the pipeline's
+  std::unique_ptr<Pipeline> pipeline_;
+  std::vector<std::future<LoadedSource>> abandoned_;  // loads that were cancelled and still run
+
+  FrameRequest made_;                           // what the stages were last asked for; settings given
+  FrameChanges dirty_;                          // stages that must run before made_ is met
+  bool restart_ = false;                        // new shaders: make the pipeline anew
+  uint32_t traced_ = 0;                         // rays of this frame's trace that are done
+  uint32_t tileRays_ = 4096;                    // of the next tile
+  std::set<std::string> viewsDone_;
+  bool productsRead_ = false;                   // rays, hits, counters, gather of the complete frame are in current_
+  bool gridRead_ = false;                       // grid, triangles, totals likewise
+  bool gridMeasured_ = false;                   // invariants, demand, ledger
+  FrameSnapshot current_;                       // what is published next
+};
+
+}  // namespace gridscope

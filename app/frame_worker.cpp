@@ -1,0 +1,162 @@
+// See frame_worker.h.
+#include "app/frame_worker.h"
+
+#include <sys/resource.h>
+#include <sys/syscall.h>
+#include <unistd.h>
+
+#include <utility>
+
+namespace gridscope {
+
+// Threads that this one starts inherit it: the drivers' and those of the stages in C++.
+static void lowerPriority() {
+  constexpr int kNice = 10;
+  setpriority(PRIO_PROCESS, id_t(syscall(SYS_gettid)), kNice);
+}
+
+FrameWorker::FrameWorker(const Options& start, std::function<void()> wake) : start_(start), wake_(std::move(wake)), thread_([this] { run(); }) {}
+
+FrameWorker::~FrameWorker() {
+  stop_ = true;
+  cancel_ = true;
+  waiting_ = true;
+  { std::lock_guard lock(mutex_); }
+  asked_.notify_all();
+  thread_.join();
+}
+
+void FrameWorker::ask(const FrameRequest& request) {
+  {
+    std::lock_guard lock(mutex_);
+    request_ = request;
+    idle_ = false;
+    waiting_ = true;
+  }
+  asked_.notify_all();
+}
+
+void FrameWorker::cancel() { cancel_ = true; }
+
+void FrameWorker::capture(const CaptureWish& wish) {
+  {
+    std::lock_guard lock(mutex_);
+    captures_.push_back(wish);
+    idle_ = false;
+  }
+  asked_.notify_all();
+}
+
+std::shared_ptr<const FrameSnapshot> FrameWorker::newest() const {
+  std::lock_guard lock(mutex_);
+  return newest_;
+}
+
+std::optional<LongWork> FrameWorker::work() const {
+  std::lock_guard lock(mutex_);
+  return work_;
+}
+
+std::vector<LogLine> FrameWorker::takeLines() {
+  std::lock_guard lock(mutex_);
+  return std::exchange(lines_, {});
+}
+
+std::string FrameWorker::shaderFault() const {
+  std::lock_guard lock(mutex_);
+  return shaderFault_;
+}
+
+std::string FrameWorker::deviceFault() const {
+  std::lock_guard lock(mutex_);
+  return deviceFault_;
+}
+
+bool FrameWorker::idle() const {
+  std::lock_guard lock(mutex_);
+  return idle_;
+}
+
+void FrameWorker::say(LogLine::Kind kind, std::string text) {
+  {
+    std::lock_guard lock(mutex_);
+    lines_.push_back({kind, 0.0, std::move(text)});
+  }
+  wake_();
+}
+
+FrameListener FrameWorker::listener() {
+  return {.publish =
+              [this](std::shared_ptr<const FrameSnapshot> snapshot) {
+                {
+                  std::lock_guard lock(mutex_);
+                  newest_ = std::move(snapshot);
+                }
+                wake_();
+              },
+          .interrupted = [this] { return waiting_.load(); },
+          .cancelled = [this] { return cancel_.exchange(false); },
+          .working =
+              [this](std::optional<LongWork> work) {
+                {
+                  std::lock_guard lock(mutex_);
+                  work_ = std::move(work);
+                }
+                wake_();
+              },
+          .say = [this](LogLine::Kind kind, std::string text) { say(kind, std::move(text)); }};
+}
+
+void FrameWorker::run() {
+  lowerPriority();
+  try {
+    GpuContext gpu({.device = start_.onCpu() ? "" : start_.device, .validation = start_.validation});
+    work(gpu);
+    validationMessages_ = gpu.validationMessages();
+  } catch (const std::exception& error) {
+    say(LogLine::Kind::error, error.what());
+    std::lock_guard lock(mutex_);
+    deviceFault_ = error.what();
+    idle_ = true;
+  }
+  wake_();
+}
+
+void FrameWorker::work(GpuContext& gpu) {
+  FrameMaker maker(gpu, start_, listener());
+  uint32_t reloads = 0;
+  while (!stop_) {
+    std::optional<FrameRequest> request;
+    std::vector<CaptureWish> captures;
+    {
+      std::unique_lock lock(mutex_);
+      if (!request_ && captures_.empty()) {
+        idle_ = true;
+        wake_();
+      }
+      asked_.wait(lock, [this] { return stop_ || request_ || !captures_.empty(); });
+      if (stop_) return;
+      request = std::exchange(request_, std::nullopt);
+      captures = std::exchange(captures_, {});
+      waiting_ = false;
+    }
+    if (request && request->shaderReloads != reloads) {
+      reloads = request->shaderReloads;
+      const std::string fault = maker.reloadShaders();
+      std::lock_guard lock(mutex_);
+      shaderFault_ = fault;
+    }
+    if (request) maker.make(*request);
+    validationMessages_ = gpu.validationMessages();
+    for (const CaptureWish& wish : captures) {
+      try {
+        maker.writeCapture(wish);
+        say(LogLine::Kind::note, "Captured " + wish.file);
+      } catch (const std::exception& error) {
+        say(LogLine::Kind::error, error.what());
+      }
+    }
+  }
+}
+
+}  // namespace gridscope

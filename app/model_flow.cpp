@@ -1,0 +1,175 @@
+// See model_flow.h. model_jumps.cpp has the ways to the next step, ray and cell.
+#include "app/model_flow.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <utility>
+
+#include "app/frame_changes.h"
+#include "views/view.h"
+
+namespace gridscope {
+
+static constexpr size_t kMostRecentFiles = 12;
+
+FrameRequest requestOf(const WindowModel& model) {
+  FrameRequest request = model.request;
+  if (request.settings) request.settings->camera = model.camera.pose;
+  request.recordPixel = model.selected().pixel;
+  request.views.clear();
+  const int panes = model.layout == ViewportLayout::four ? 4 : 1;
+  for (int i = 0; i < panes; ++i) request.views.insert(model.panes[model.layout == ViewportLayout::four ? size_t(i) : size_t(model.activePane)].view);
+  if (model.layout == ViewportLayout::compare && model.comparison.with == CompareState::With::view)
+    request.views.insert(model.panes[size_t(model.activePane) ^ 1u].view);
+  for (const std::string& view : request.views)
+    if (view == "verdict" || view == "cause" || view == "error" || view == "lost") request.truth = true;
+  return request;
+}
+
+static bool sameOptionalSettings(const std::optional<FrameSettings>& a, const std::optional<FrameSettings>& b) {
+  return a.has_value() == b.has_value() && (!a || sameSettings(*a, *b));
+}
+
+bool sameRequest(const FrameRequest& a, const FrameRequest& b) {
+  return a.source == b.source && sameOptionalSettings(a.settings, b.settings) && a.edits == b.edits && a.frame == b.frame &&
+         a.timeSeconds == b.timeSeconds && a.views == b.views && a.slice.axis == b.slice.axis && a.slice.index == b.slice.index &&
+         a.truth == b.truth && a.recordPixel == b.recordPixel && a.proveRecorded == b.proveRecorded && a.proveAll == b.proveAll &&
+         a.shaderReloads == b.shaderReloads;
+}
+
+// A new scene: what pointed into the old one goes.
+static void greetScene(WindowModel& model) {
+  const FrameSnapshot& frame = *model.frame;
+  model.selection = SelectionHistory();
+  model.area.reset();
+  model.rayOrder = {};
+  model.undo.clear();
+  model.comparison.kept.reset();
+  model.request.edits = frame.request.edits;
+  model.request.settings = frame.request.settings;
+  model.camera.pose = frame.request.settings->camera;
+  model.camera.speed = 0.1f * glm::distance(frame.scene->bounds.low, frame.scene->bounds.high);
+  model.overlays.clipBox = frame.scene->bounds;
+  for (ViewportPlace& place : model.places) place = {};
+  model.bookmarks = model.savedBookmarks[frame.scene->path];
+  if (!std::filesystem::exists(frame.scene->path)) return;   // built in
+  const std::string path = std::filesystem::absolute(frame.scene->path).lexically_normal().string();
+  std::erase(model.recentFiles, path);
+  model.recentFiles.insert(model.recentFiles.begin(), path);
+  if (model.recentFiles.size() > kMostRecentFiles) model.recentFiles.resize(kMostRecentFiles);
+}
+
+void takeFrame(WindowModel& model, std::shared_ptr<const FrameSnapshot> frame) {
+  const bool anotherScene = frame->scene && (!model.frame || !model.frame->scene || model.frame->request.source != frame->request.source);
+  model.frame = std::move(frame);
+  if (anotherScene && model.frame->request.settings) greetScene(model);
+  if (!model.frame->fault.empty()) {
+    // What can't be had is no longer asked for.
+    model.showMessage(model.frame->fault);
+    if (model.frame->request.settings) {
+      model.request.source = model.frame->request.source;
+      model.request.edits = model.frame->request.edits;
+      model.request.settings = model.frame->request.settings;
+    }
+  }
+  if (model.pendingJump != Jump::none && model.frame->truths) jumpTo(model, std::exchange(model.pendingJump, Jump::none));
+}
+
+void openSource(WindowModel& model, const std::string& path) {
+  const uint32_t loads = model.request.source.loadCount + 1;
+  model.request.source = {.scene = path, .loadCount = loads};
+  model.request.settings.reset();
+  model.request.edits.clear();
+  model.request.frame = 0;
+  model.request.timeSeconds = 0.0;
+  model.playing = false;
+}
+
+void setTime(WindowModel& model, double seconds) {
+  model.request.timeSeconds = std::max(seconds, 0.0);
+  model.request.frame = uint32_t(std::lround(model.request.timeSeconds / std::max(model.timeStep, 1e-6)));
+}
+
+void stepTime(WindowModel& model, int frames) {
+  const uint32_t captured = model.frame && model.frame->scene ? model.frame->scene->captureFrames : 0;
+  int64_t next = int64_t(model.request.frame) + frames;
+  if (captured > 0) {
+    model.request.frame = uint32_t((next + captured) % captured);
+    return;
+  }
+  next = std::max<int64_t>(next, 0);
+  model.request.timeSeconds = std::max(0.0, model.request.timeSeconds + double(next - int64_t(model.request.frame)) * model.timeStep);
+  model.request.frame = uint32_t(next);
+}
+
+void advanceModel(WindowModel& model, double seconds) {
+  if (model.frame && model.frame->scene) model.savedBookmarks[model.frame->scene->path] = model.bookmarks;
+  static double steps = 0.0;
+  if (model.playing && model.frame && !model.frame->stale && model.frame->request.frame == model.request.frame &&
+      model.frame->request.timeSeconds == model.request.timeSeconds)
+    stepTime(model, 1);
+  if (!model.stepsPlaying) {
+    steps = 0.0;
+    return;
+  }
+  steps += seconds * double(model.stepsPerSecond);
+  const uint32_t count = stepCount(model), step = model.selected().step;
+  if (count == 0 || step + 1 >= count) model.stepsPlaying = false;
+  else if (steps >= 1.0) goToStep(model, int64_t(step) + int64_t(steps)), steps = 0.0;
+}
+
+static std::string knownView(const char* name, const char* otherwise) { return findView(name) ? name : otherwise; }
+
+void showIn(WindowModel& model, Workspace workspace) {
+  model.workspace = workspace;
+  model.activePane = 0;
+  Overlays& overlays = model.overlays;
+  switch (workspace) {
+    case Workspace::grid:
+      model.layout = ViewportLayout::one;
+      model.panes[0] = {"occupancy"};
+      overlays.saturatedBoxes = true, overlays.cellBoxes = overlays.raySegments = overlays.visitedCells = overlays.testedTriangles = false;
+      model.showTab(BottomTab::plots);
+      break;
+    case Workspace::ray:
+      model.layout = ViewportLayout::one;
+      model.panes[0] = {"final"};
+      overlays.raySegments = overlays.visitedCells = overlays.testedTriangles = true;
+      overlays.saturatedBoxes = overlays.cellBoxes = false;
+      model.showTab(BottomTab::steps);
+      break;
+    case Workspace::verdict:
+      model.layout = ViewportLayout::four;
+      model.panes = {Pane{"final"}, Pane{knownView("verdict", "hit-kind")}, Pane{knownView("cause", "voxel")}, Pane{"visits"}};
+      overlays.saturatedBoxes = overlays.cellBoxes = false;
+      model.request.truth = true;
+      model.showTab(BottomTab::causes);
+      break;
+    case Workspace::tune:
+      model.layout = ViewportLayout::one;
+      model.panes[0] = {"final"};
+      overlays.saturatedBoxes = overlays.cellBoxes = false;
+      model.showTab(BottomTab::tune);
+      break;
+  }
+  overlays.selection = true;
+}
+
+void showView(WindowModel& model, const std::string& view) {
+  if (!findView(view)) return;
+  model.panes[size_t(model.activePane)] = {view};
+}
+
+void undoSetting(WindowModel& model) {
+  if (model.undo.empty()) return;
+  model.request.settings = model.undo.back();
+  model.undo.pop_back();
+}
+
+std::string windowTitle(const WindowModel& model) {
+  if (!model.frame || !model.frame->scene) return "Gridscope";
+  return model.frame->scene->name + " - Gridscope";
+}
+
+}  // namespace gridscope

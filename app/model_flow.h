@@ -1,0 +1,46 @@
+// What flows between the window's model and the worker: the request that the model stands for, and the frame that comes back. And what
+// moves by itself: time and the steps of a ray. No ImGui here.
+#pragma once
+
+#include "app/window_model.h"
+
+namespace gridscope {
+
+// What the worker is asked for: the model's request with what the panes show, the camera, and the selected ray.
+FrameRequest requestOf(const WindowModel& model);
+bool sameRequest(const FrameRequest& a, const FrameRequest& b);
+
+// A new snapshot has come.
+void takeFrame(WindowModel& model, std::shared_ptr<const FrameSnapshot> frame);
+
+// `seconds` have passed: plays time and steps.
+void advanceModel(WindowModel& model, double seconds);
+
+// View, panes, overlays and bottom tab of a workspace.
+void showIn(WindowModel& model, Workspace workspace);
+
+void openSource(WindowModel& model, const std::string& path);   // a scene's or capture's path, or a built-in scene's name
+void stepTime(WindowModel& model, int frames);                  // forward or back
+void setTime(WindowModel& model, double seconds);
+void showView(WindowModel& model, const std::string& view);     // in the active pane
+void undoSetting(WindowModel& model);
+
+// Steps of the recorded ray. `kind`: as the keys E T S V X. False: there is none.
+enum class StepKind { nonEmpty, tested, saturated, revisit, voxelHit };
+bool goToNextStep(WindowModel& model, StepKind kind);
+std::optional<uint32_t> nextStep(const RecordedRay& record, uint32_t from, StepKind kind);
+void goToStep(WindowModel& model, int64_t step);                // clamped
+uint32_t stepCount(const WindowModel& model);
+
+// Another ray of the order that the Rays table shows.
+void goToRay(WindowModel& model, int direction);
+
+// The next ray of that kind behind the selected one, in the order of pixels; asks for the truth first where it is not told yet.
+void jumpTo(WindowModel& model, Jump jump);
+
+// The saturated cell that wants the most references; then the next fullest behind the selected one, round again at the end.
+void goToNextSaturatedCell(WindowModel& model);
+
+std::string windowTitle(const WindowModel& model);
+
+}  // namespace gridscope

@@ -1,0 +1,84 @@
+// The bottom region: its tabs, and the log.
+#include <imgui_internal.h>
+
+#include "app/text.h"
+#include "app/window_panels.h"
+#include "app/window_widgets.h"
+
+namespace gridscope {
+
+namespace {
+
+struct Tab {
+  BottomTab tab;
+  const char* name;
+  void (*draw)(WindowModel&);
+};
+
+constexpr Tab kTabs[] = {
+    {BottomTab::steps, "Ray steps", drawRaySteps},       {BottomTab::cells, "Cells", drawCellsTable}, {BottomTab::instances, "Instances", drawInstancesTable},
+    {BottomTab::triangles, "Triangles", drawTrianglesTable}, {BottomTab::rays, "Rays", drawRaysTable},   {BottomTab::causes, "Causes", drawCauses},
+    {BottomTab::plots, "Plots", drawPlots},              {BottomTab::tune, "Tune", drawTuner},        {BottomTab::log, "Log", drawLog},
+};
+
+// Tabs with a bar of the accent colour over the chosen one.
+void drawTabBar(WindowModel& model) {
+  const float height = unit(28);
+  const ImVec2 low = ImGui::GetWindowPos();
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.AddRectFilled(low, {low.x + ImGui::GetWindowWidth(), low.y + height}, packed(uiColour(UiColour::head)));
+  float x = low.x + unit(4);
+  for (const Tab& tab : kTabs) {
+    const bool chosen = tab.tab == model.bottomTab;
+    const ImVec2 words = ImGui::CalcTextSize(tab.name);
+    const float width = words.x + unit(22);
+    ImGui::SetCursorScreenPos({x, low.y});
+    if (ImGui::InvisibleButton(tab.name, {width, height})) model.bottomTab = tab.tab;
+    if (chosen) {
+      list.AddRectFilled({x, low.y}, {x + width, low.y + height}, packed(uiColour(UiColour::panel)));
+      list.AddRectFilled({x, low.y}, {x + width, low.y + unit(2)}, packed(uiColour(UiColour::accent)));
+    }
+    const UiColour colour = chosen || ImGui::IsItemHovered() ? UiColour::text : UiColour::dim;
+    list.AddText({x + unit(11), low.y + 0.5f * (height - words.y)}, packed(uiColour(colour)), tab.name);
+    x += width;
+  }
+  ImGui::SetCursorScreenPos({low.x, low.y + height});
+}
+
+}  // namespace
+
+void drawBottomTabs(WindowModel& model) {
+  drawTabBar(model);
+  model.bottomTabWanted = false;
+  for (const Tab& tab : kTabs) {
+    if (tab.tab != model.bottomTab) continue;
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(unit(10), unit(6)));
+    if (ImGui::BeginChild(tab.name, {0, 0}, false, ImGuiWindowFlags_AlwaysUseWindowPadding)) tab.draw(model);
+    ImGui::EndChild();
+    ImGui::PopStyleVar();
+  }
+}
+
+void drawLog(WindowModel& model) {
+  if (model.log.empty()) return emptyState("Nothing has happened yet.");
+  ImGui::PushFont(windowFonts().mono);
+  ImGuiListClipper clipper;
+  clipper.Begin(int(model.log.size()));
+  while (clipper.Step())
+    for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
+      const LogLine& line = model.log[size_t(i)];
+      textDim(printed("%8.2f s ", line.seconds));
+      ImGui::SameLine();
+      const ImVec4 colour = line.kind == LogLine::Kind::error     ? meaningColour(kColourHole)
+                            : line.kind == LogLine::Kind::warning ? meaningColour(kColourVoxelHit)
+                                                                  : uiColour(UiColour::text);
+      ImGui::PushStyleColor(ImGuiCol_Text, colour);
+      ImGui::TextUnformatted(line.text.c_str());
+      ImGui::PopStyleColor();
+    }
+  // Follows the end unless the person looks at something older.
+  if (ImGui::GetScrollY() >= ImGui::GetScrollMaxY() - unit(20)) ImGui::SetScrollHereY(1.0f);
+  ImGui::PopFont();
+}
+
+}  // namespace gridscope

@@ -1,0 +1,108 @@
+// The help window, made from the table of actions; and the dialogs: open, capture.
+#include <imgui.h>
+#include <imgui_stdlib.h>
+
+#include <cstring>
+#include <algorithm>
+
+#include "app/model_flow.h"
+#include "app/window_actions.h"
+#include "app/window_panels.h"
+#include "app/window_widgets.h"
+
+namespace gridscope {
+
+namespace {
+
+// A window in the middle of the program's; false: it is closed.
+bool beginDialog(const char* title, bool& open, float width) {
+  if (!open) return false;
+  const ImVec2 screen = ImGui::GetIO().DisplaySize;
+  ImGui::SetNextWindowPos({0.5f * screen.x, 0.42f * screen.y}, ImGuiCond_Appearing, {0.5f, 0.5f});
+  ImGui::SetNextWindowSize({std::min(unit(width), screen.x - unit(20)), 0});
+  ImGui::PushStyleColor(ImGuiCol_Border, uiColour(UiColour::accent));
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1.0f);
+  const bool shown = ImGui::Begin(title, &open, ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoResize);
+  ImGui::PopStyleVar();
+  ImGui::PopStyleColor();
+  if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape))) open = false;
+  if (!shown) ImGui::End();
+  return shown;
+}
+
+void drawMenuKeys(const char* menu) {
+  ImGui::PushFont(windowFonts().sansBold);
+  ImGui::TextUnformatted(menu);
+  ImGui::PopFont();
+  for (const Action& one : allActions()) {
+    if (std::strcmp(one.menu, menu) != 0 || !*one.key) continue;
+    textMono(one.key);
+    ImGui::SameLine(unit(100) + ImGui::GetColumnOffset());
+    ImGui::TextUnformatted(one.name);
+    whyTooltip(one.about);
+  }
+  ImGui::Dummy({1, unit(6)});
+}
+
+void drawOpen(WindowModel& model) {
+  if (!beginDialog("Open a scene or a capture", model.openDialogOpen, 560)) return;
+  ImGui::SetNextItemWidth(-1);
+  if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
+  const bool entered = ImGui::InputTextWithHint("##path", "Path of a .glb, .gltf or .gridcap file, or a built-in scene's name", &model.openPath,
+                                                ImGuiInputTextFlags_EnterReturnsTrue);
+  for (const std::string& file : model.recentFiles)
+    if (ImGui::Selectable(file.c_str())) model.openPath = file;
+  if (entered || ImGui::Button("Open", {unit(90), unit(24)})) {
+    model.openDialogOpen = false;
+    if (!model.openPath.empty()) openSource(model, model.openPath);
+  }
+  ImGui::End();
+}
+
+void drawCapture(WindowModel& model) {
+  if (!beginDialog("Capture this frame", model.captureDialogOpen, 460)) return;
+  textDim("Name");
+  ImGui::SetNextItemWidth(-1);
+  if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
+  bool entered = ImGui::InputText("##name", &model.captureName, ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
+  textDim("Note: what it shows");
+  ImGui::SetNextItemWidth(-1);
+  entered |= ImGui::InputText("##note", &model.captureNote, ImGuiInputTextFlags_EnterReturnsTrue);
+  const bool named = !model.captureName.empty();
+  textDim(named ? "Writes " + model.captureName + ".gridcap in the folder where the program was started" : std::string("Give it a name"));
+  ImGui::BeginDisabled(!named);
+  if ((entered && named) || ImGui::Button("Capture", {unit(90), unit(24)})) {
+    model.captureDialogOpen = false;
+    model.captureWish = CaptureWish{model.captureName + ".gridcap", model.captureNote};
+  }
+  ImGui::EndDisabled();
+  ImGui::End();
+}
+
+}  // namespace
+
+void drawHelp(WindowModel& model) {
+  if (!beginDialog("All keys", model.helpOpen, 820)) return;
+  static constexpr const char* kColumns[3][4] = {{"File", "Edit", "Frame", nullptr}, {"View", "Window", "Help", nullptr}, {"Ray", "Cells", "Tools", nullptr}};
+  ImGui::Columns(3, nullptr, false);
+  for (const auto& column : kColumns) {
+    for (const char* const* menu = column; *menu; ++menu) drawMenuKeys(*menu);
+    ImGui::NextColumn();
+  }
+  ImGui::Columns(1);
+  ImGui::Separator();
+  ImGui::PushStyleColor(ImGuiCol_Text, uiColour(UiColour::dim));
+  ImGui::TextWrapped(
+      "In the viewport: click a pixel to record its ray. Wheel: zoom into pixels; drag: move the zoomed picture. Middle button, or Alt and drag: orbit; with "
+      "Shift: move aside; Alt and wheel: nearer. Right button: look around, and fly with W A S D Q E (Shift: faster, wheel: speed). Drop a scene or a capture on "
+      "the window to open it. Double click a splitter to bring it back.");
+  ImGui::PopStyleColor();
+  ImGui::End();
+}
+
+void drawDialogs(WindowModel& model) {
+  drawOpen(model);
+  drawCapture(model);
+}
+
+}  // namespace gridscope

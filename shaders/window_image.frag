@@ -1,0 +1,8 @@
+// A picture inside the window's interface: its texel, in sRGB as it is stored.
+#version 460
+
+layout(set = 0, binding = 0) uniform sampler2D picture;
+layout(location = 0) in vec2 uv;
+layout(location = 0) out vec4 colour;
+
+void main() { colour = texture(picture, uv); }
