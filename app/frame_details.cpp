@@ -1,10 +1,13 @@
 // What is made of a frame once its picture stands: products for the panels, the recorded ray, invariants, demand and ledger, the truth,
 // captures (frame_maker.h).
+#include <algorithm>
 #include <cstring>
 
 #include "app/capture_pictures.h"
 #include "app/frame_maker.h"
+#include "app/shader_compiler.h"
 #include "core/frame_capture.h"
+#include "core/shader_code.h"
 
 namespace gridscope {
 
@@ -57,12 +60,85 @@ bool FrameMaker::measureGrid() {
   current_.brokenInvariants = checkInvariants(*current_.grid, pipeline_->numbered(), foreign ? nullptr : &current_.tried);
   publish(false);
   if (interrupted()) return false;
+  current_.demand = std::make_shared<const Demand>(current_.grid->parameters, pipeline_->numbered(), *current_.worldTriangles);
+  publish(false);
+  if (interrupted()) return false;
+  current_.ledger = std::make_shared<const Ledger>(makeLedger(TruthInput{traceInput(), *current_.demand}, {}));
   gridMeasured_ = true;
+  publish(false);
+  return !interrupted();
+}
+
+TraceInput FrameMaker::traceInput() const {
+  return {*current_.grid, pipeline_->numbered(), *current_.worldTriangles, pipeline_->parameters().trace};
+}
+
+// Seconds of work in C++, given up when another request comes.
+bool FrameMaker::tellTruth() {
+  if (!made_.truth && !made_.proveRecorded) return true;
+  const TruthInput input{traceInput(), *current_.demand};
+  const Clock::time_point start = Clock::now();
+  const auto tell = [&](const char* what, float from, float to) {
+    return [this, what, from, to, start](float share) {
+      listener_.working(LongWork{.what = what, .share = from + (to - from) * share,
+                                 .seconds = std::chrono::duration<double>(Clock::now() - start).count()});
+      return !interrupted();
+    };
+  };
+  if (!current_.truths) {
+    const auto exactProgress = tell("Finding the exact hits", 0.0f, 0.5f);
+    exactProgress(0.0f);
+    const ExactReference exact(input.trace);
+    std::vector<Hit> exactHits;
+    constexpr size_t kRaysPerPiece = 16384;
+    const std::span<const Ray> rays(*current_.rays);
+    for (size_t first = 0; first < rays.size(); first += kRaysPerPiece) {
+      if (!exactProgress(float(first) / float(rays.size()))) return stopWork();
+      const std::vector<Hit> piece = exact.trace(rays.subspan(first, std::min(kRaysPerPiece, rays.size() - first)));
+      exactHits.insert(exactHits.end(), piece.begin(), piece.end());
+    }
+    std::vector<RayTruth> truths = gridscope::tellTruth(input, rays, *current_.hits, exactHits, tell("Finding the cause of each wrong ray", 0.5f, 1.0f));
+    if (truths.size() != rays.size()) return stopWork();
+    current_.truthTotals = countTruths(truths);
+    current_.ledger = std::make_shared<const Ledger>(makeLedger(input, truths));
+    current_.exact = shared(std::move(exactHits));
+    current_.truths = shared(std::move(truths));
+    listener_.working(std::nullopt);
+    tellRecorded(input);
+    publish(false);
+  } else if (tellRecorded(input)) {
+    publish(false);
+  }
+  if (made_.proveAll != proved_ && made_.proveAll > 0) {
+    ProofTotals totals = proveFrame(input, *current_.exact, *current_.rays, *current_.truths, tell("Proving every cause", 0.0f, 1.0f));
+    if (interrupted()) return stopWork();
+    proved_ = made_.proveAll;
+    current_.proofs = std::make_shared<const ProofTotals>(std::move(totals));
+    listener_.working(std::nullopt);
+    publish(false);
+  }
   return true;
 }
 
-// The truth is told elsewhere.
-bool FrameMaker::tellTruth() { return true; }
+bool FrameMaker::stopWork() {
+  listener_.working(std::nullopt);
+  return false;
+}
+
+// The recorded ray's own truth and proof; true when something was added.
+bool FrameMaker::tellRecorded(const TruthInput& input) {
+  const auto& record = current_.record;
+  if (!record || record->pixel >= current_.truths->size()) return false;
+  const RayTruth& truth = (*current_.truths)[record->pixel];
+  const bool prove = made_.proveRecorded && !record->proof && truth.cause != kCauseNone;
+  if (record->truth && !prove) return false;
+  RecordedRay told = *record;
+  told.exact = (*current_.exact)[record->pixel];
+  told.truth = truth;
+  if (prove) told.proof = proveRay(input, told.ray, *told.exact, truth);
+  current_.record = std::make_shared<const RecordedRay>(std::move(told));
+  return true;
+}
 
 void FrameMaker::writeCapture(const CaptureWish& wish) {
   if (!pipeline_ || dirty_.any() || !productsRead_) throw Error(wish.file + ": the frame is not complete yet; capture it again in a moment");
@@ -85,7 +161,18 @@ void FrameMaker::writeCapture(const CaptureWish& wish) {
   gridscope::writeCapture(wish.file, capture);
 }
 
-// Compiling shaders while the program runs comes with the library that does it.
-std::string FrameMaker::reloadShaders() { return ""; }
+std::string FrameMaker::reloadShaders() {
+  listener_.working(LongWork{.what = "Compiling shaders", .share = -1.0f});
+  CompiledShaders compiled = compileShaders();
+  listener_.working(std::nullopt);
+  if (!compiled.fault.empty()) return compiled.fault;
+  replaceShaders(std::move(compiled.words));
+  listener_.say(LogLine::Kind::note, "Shaders: all passes compiled and in use");
+  dirty_.scene = true;
+  dirty_.spread();
+  traced_ = 0;
+  productsRead_ = gridRead_ = gridMeasured_ = false;
+  return "";
+}
 
 }  // namespace gridscope

@@ -138,7 +138,7 @@ bool FrameMaker::bringPipeline() {
   if (!dirty_.any() && pipeline_) return true;
   const FrameSettings settings = pipelineSettings();
   if (dirty_.size || dirty_.scene || !pipeline_) forgetPixels(), viewsDone_.clear();
-  if (dirty_.scene || restart_ || !pipeline_) {
+  if (dirty_.scene || !pipeline_) {
     listener_.working(LongWork{.what = "Preparing " + current_.scene->name, .share = -1.0f});
     pipeline_.reset();
     if (loaded_->capture) {
@@ -148,7 +148,6 @@ bool FrameMaker::bringPipeline() {
       edited_ = editedScene(loaded_->scene, made_.edits);
       pipeline_ = std::make_unique<Pipeline>(gpu_, edited_, settings, device_);
     }
-    restart_ = false;
     listener_.working(std::nullopt);
     auto facts = std::make_shared<SceneFacts>(*current_.scene);
     facts->numbered = pipeline_->numbered();

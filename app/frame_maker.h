@@ -52,6 +52,9 @@ class FrameMaker {
   bool recordRay();
   bool measureGrid();
   bool tellTruth();
+  bool tellRecorded(const TruthInput& input);
+  TraceInput traceInput() const;                // of what was read
+  bool stopWork();                              // the long work is given up: false
 
   void publish(bool stale);
   bool interrupted() const { return listener_.interrupted(); }
@@ -78,13 +81,13 @@ class FrameMaker {
 
   FrameRequest made_;                           // what the stages were last asked for; settings given
   FrameChanges dirty_;                          // stages that must run before made_ is met
-  bool restart_ = false;                        // new shaders: make the pipeline anew
   uint32_t traced_ = 0;                         // rays of this frame's trace that are done
   uint32_t tileRays_ = 4096;                    // of the next tile
   std::set<std::string> viewsDone_;
   bool productsRead_ = false;                   // rays, hits, counters, gather of the complete frame are in current_
   bool gridRead_ = false;                       // grid, triangles, totals likewise
   bool gridMeasured_ = false;                   // invariants, demand, ledger
+  uint32_t proved_ = 0;                         // FrameRequest::proveAll that was answered last
   FrameSnapshot current_;                       // what is published next
 };
 

@@ -23,7 +23,8 @@ FrameRequest requestOf(const WindowModel& model) {
   if (model.layout == ViewportLayout::compare && model.comparison.with == CompareState::With::view)
     request.views.insert(model.panes[size_t(model.activePane) ^ 1u].view);
   for (const std::string& view : request.views)
-    if (view == "verdict" || view == "cause" || view == "error" || view == "lost") request.truth = true;
+    if (model.truthDeclined) break;
+    else if (view == "verdict" || view == "cause" || view == "error" || view == "lost") request.truth = true;
   return request;
 }
 
@@ -123,6 +124,7 @@ static std::string knownView(const char* name, const char* otherwise) { return f
 
 void showIn(WindowModel& model, Workspace workspace) {
   model.workspace = workspace;
+  model.truthDeclined = false;
   model.activePane = 0;
   Overlays& overlays = model.overlays;
   switch (workspace) {
@@ -159,6 +161,12 @@ void showIn(WindowModel& model, Workspace workspace) {
 void showView(WindowModel& model, const std::string& view) {
   if (!findView(view)) return;
   model.panes[size_t(model.activePane)] = {view};
+}
+
+void declineTruth(WindowModel& model) {
+  model.truthDeclined = true;
+  model.request.truth = model.request.proveRecorded = false;
+  model.pendingJump = Jump::none;
 }
 
 void undoSetting(WindowModel& model) {

@@ -24,6 +24,7 @@ void stepTime(WindowModel& model, int frames);                  // forward or ba
 void setTime(WindowModel& model, double seconds);
 void showView(WindowModel& model, const std::string& view);     // in the active pane
 void undoSetting(WindowModel& model);
+void declineTruth(WindowModel& model);                          // until it is asked for again
 
 // Steps of the recorded ray. `kind`: as the keys E T S V X. False: there is none.
 enum class StepKind { nonEmpty, tested, saturated, revisit, voxelHit };

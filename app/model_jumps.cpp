@@ -63,6 +63,7 @@ void goToRay(WindowModel& model, int direction) {
 void jumpTo(WindowModel& model, Jump jump) {
   if (!model.frame) return;
   model.request.truth = true;
+  model.truthDeclined = false;
   if (!model.frame->truths) {
     model.pendingJump = jump;
     return model.showMessage("The truth of this frame is being told first");

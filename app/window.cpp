@@ -11,11 +11,11 @@
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
-#include <filesystem>
+#include <utility>
 
 #include "app/frame_worker.h"
 #include "app/preferences.h"
-#include "app/text.h"
+#include "app/view_save.h"
 #include "app/model_flow.h"
 #include "app/window_actions.h"
 #include "app/window_images.h"
@@ -227,6 +227,7 @@ class Window {
     if (worked != model_.work.has_value()) settle_ = kFramesAfterEvent;
     std::shared_ptr<const FrameSnapshot> frame = worker_.newest();
     if (frame == model_.frame || !frame) return;
+    if (!frame->scene && !frame->fault.empty()) throw Error(frame->fault);   // the first source can't be loaded
     settle_ = std::max(settle_, 2);
     takeFrame(model_, std::move(frame));
   }
@@ -280,6 +281,13 @@ class Window {
     if (!sameRequest(wanted, sent_)) worker_.ask(sent_ = std::move(wanted));
     if (model_.captureWish) worker_.capture(*model_.captureWish);
     model_.captureWish.reset();
+    for (const std::string& view : std::exchange(model_.savedViews, {})) {
+      try {
+        model_.showMessage("Wrote " + saveView(model_, view));
+      } catch (const Error& error) {
+        model_.showMessage(error.what());
+      }
+    }
     const std::string title = windowTitle(model_);
     if (title != title_) glfwSetWindowTitle(native_.handle(), (title_ = title).c_str());
   }

@@ -81,14 +81,19 @@ void drawTicks(ImVec2 low, float width, ValueRange range) {
 
 }  // namespace
 
-void drawLegendBox(const WindowModel& model, const View& view, ValueRange range, ImVec2 corner) {
+ImVec2 legendBoxSize(const View& view) {
   const bool bar = view.range != ViewRange::none;
   const std::vector<Meaning> meanings = viewMeanings(view);
   const float title = textSize(windowFonts().sansSmall, view.title).x;
-  const float barWidth = bar ? unit(270) : 0.0f;
-  const float width = std::max({barWidth, title, meaningsWidth(meanings)}) + unit(20);
-  const float height = unit(28) + (bar ? unit(32) : 0.0f) + (meanings.empty() ? 0.0f : unit(20));
-  const ImVec2 low{corner.x - width, corner.y - height};
+  return {std::max({bar ? unit(270) : 0.0f, title, meaningsWidth(meanings)}) + unit(20),
+          unit(28) + (bar ? unit(32) : 0.0f) + (meanings.empty() ? 0.0f : unit(20))};
+}
+
+void drawLegendBox(const WindowModel& model, const View& view, ValueRange range, ImVec2 corner) {
+  const bool bar = view.range != ViewRange::none;
+  const std::vector<Meaning> meanings = viewMeanings(view);
+  const ImVec2 size = legendBoxSize(view), low{corner.x - size.x, corner.y - size.y};
+  const float width = size.x;
   ImGui::GetWindowDrawList()->AddRectFilled(low, corner, kBack, unit(3));
   float y = low.y + unit(8);
   const float x = low.x + unit(10);

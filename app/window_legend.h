@@ -7,6 +7,7 @@ namespace gridscope {
 
 // In a box whose lower right corner is `corner`.
 void drawLegendBox(const WindowModel& model, const View& view, ValueRange range, ImVec2 corner);
+ImVec2 legendBoxSize(const View& view);
 
 // In one line that ends at `right`, for the head of a small pane; nothing where it would reach left of `left`.
 void drawLegendLine(const WindowModel& model, const View& view, ValueRange range, ImVec2 right, float left);

@@ -62,13 +62,16 @@ const char* outcomeWord(const StepRecord& step) {
 void logRay(WindowModel& model, LoggedState& logged) {
   const auto& record = model.frame->record;
   const uint32_t width = model.frame->request.settings->width;
-  if (record.get() != logged.record) {
-    logged.record = record.get();
+  // The same ray with its truth or its proof is no news.
+  const bool another = record && (record->pixel != logged.recordedPixel || model.frame->traceNumber != logged.recordedTrace);
+  if (another) {
+    logged.recordedPixel = record->pixel;
+    logged.recordedTrace = model.frame->traceNumber;
     logged.stepPixel.reset();
-    if (record)
-      note(model, printed("Recorded pixel %u,%u: %zu steps, %s", record->pixel % width, record->pixel / width, record->record.steps.size(),
-                          record->equalsFrame ? "equals the frame's hit" : "differs from the frame's hit"));
+    note(model, printed("Recorded pixel %u,%u: %zu steps, %s", record->pixel % width, record->pixel / width, record->record.steps.size(),
+                        record->equalsFrame ? "equals the frame's hit" : "differs from the frame's hit"));
   }
+  if (!record) logged.recordedPixel.reset();
   if (!record || record->pixel != model.selected().pixel || model.selected().step >= record->record.steps.size()) return;
   if (logged.stepPixel == record->pixel && logged.step == model.selected().step) return;
   logged.stepPixel = record->pixel;

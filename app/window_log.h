@@ -11,7 +11,8 @@ struct LoggedState {
   uint32_t loads = 0;
   uint64_t traceNumber = 0;
   const void* truths = nullptr;
-  const void* record = nullptr;
+  std::optional<uint32_t> recordedPixel;
+  uint64_t recordedTrace = 0;
   const void* proofs = nullptr;
   GridTotals totals;
   std::optional<uint32_t> stepPixel;

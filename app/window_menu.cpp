@@ -42,7 +42,7 @@ void drawViews(WindowModel& model) {
 void light(uint32_t colour, const char* words) {
   const float height = ImGui::GetTextLineHeight();
   const ImVec2 place = ImGui::GetCursorScreenPos();
-  ImGui::GetWindowDrawList()->AddCircleFilled({place.x + unit(4), place.y + 0.5f * height + ImGui::GetStyle().FramePadding.y * 0.0f + unit(6)}, unit(4),
+  ImGui::GetWindowDrawList()->AddCircleFilled({place.x + unit(4), place.y + 0.5f * height + ImGui::GetStyle().FramePadding.y}, unit(4),
                                               packed(meaningColour(colour)));
   ImGui::Dummy({unit(10), height});
   ImGui::SameLine(0.0f, unit(4));

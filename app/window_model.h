@@ -120,6 +120,7 @@ struct WindowModel {
   std::optional<CaptureWish> captureWish;        // handed to the worker once
   std::vector<std::string> savedViews;           // names of views to write as PNG, NAME.png beside where the program was started
   Jump pendingJump = Jump::none;
+  bool truthDeclined = false;                    // cancelled: views that show it do not ask for it by themselves
   std::string shaderFault;                       // the compiler's text of the last F5; empty: shaders are current
   std::vector<FrameSettings> undo;               // settings before each change, last at the end
 

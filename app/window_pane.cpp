@@ -202,12 +202,12 @@ std::string readOut(const FrameSnapshot& frame, const View& view, const Pipeline
   return text + printed("  |  depth %.3g", double(seen.depth));
 }
 
-void drawReadOut(const std::string& text, ImVec2 low, ImVec2 high) {
+void drawReadOut(const std::string& text, ImVec2 low, ImVec2 high, ImVec2 legend) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   ImFont* font = windowFonts().mono;
   const ImVec2 size = font->CalcTextSizeA(font->FontSize, FLT_MAX, 0.0f, text.c_str());
-  const ImVec2 corner{low.x + unit(8), high.y - unit(8) - size.y - unit(10)};
-  if (corner.x + size.x + unit(16) > high.x) return;
+  ImVec2 corner{low.x + unit(8), high.y - unit(8) - size.y - unit(10)};
+  if (corner.x + size.x + unit(24) > high.x - legend.x) corner.y -= legend.y;
   list.AddRectFilled(corner, {corner.x + size.x + unit(14), corner.y + size.y + unit(10)}, IM_COL32(20, 23, 27, 225), unit(3));
   list.AddText(font, font->FontSize, {corner.x + unit(7), corner.y + unit(5)}, IM_COL32(217, 223, 229, 255), text.c_str());
 }
@@ -259,11 +259,11 @@ ValueRange shownRange(const PanePicture& picture) {
   return range;
 }
 
-void drawPane(WindowModel& model, int pane, ImVec2 low, ImVec2 high, const PanePicture& first, const PanePicture* second) {
+void drawPane(WindowModel& model, int pane, ImVec2 low, ImVec2 high, const PanePicture& first, const PanePicture* second, ImVec2 legend) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   ImGui::PushID(pane);
   list.PushClipRect(low, high, true);
-  list.AddRectFilled(low, high, packed(ImGui::ColorConvertU32ToFloat4(IM_COL32(20, 23, 27, 255))));
+  list.AddRectFilled(low, high, IM_COL32(20, 23, 27, 255));
   const bool flipped = second && model.comparison.flip && !model.comparison.wipes;
   const PanePicture& front = flipped ? *second : first;
   const auto image = imageOf(front);
@@ -306,7 +306,7 @@ void drawPane(WindowModel& model, int pane, ImVec2 low, ImVec2 high, const PaneP
     else if (ImGui::IsItemActive() && !io.KeyAlt && !still) panBy(model, pane, rect, *image, io.MouseDelta);
     moveByMouse(model, hovered);
     if (under) model.hoveredPixel = view->scope == ViewScope::slice ? std::nullopt : std::optional(under->y * image->width + under->x);
-    if (under) drawReadOut(readOut(*front.frame, *view, *image, *under), low, high);
+    if (under) drawReadOut(readOut(*front.frame, *view, *image, *under), low, high, legend);
     if (wipes) {
       dragSplit(model, low, high);
       drawLetter("A", {low.x + unit(8), low.y + unit(8)});

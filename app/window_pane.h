@@ -15,7 +15,8 @@ struct PanePicture {
 };
 
 // Draws a pane into the rectangle and lets the mouse act in it. `second`: B of a comparison, or nothing to show.
-void drawPane(WindowModel& model, int pane, ImVec2 low, ImVec2 high, const PanePicture& first, const PanePicture* second);
+// `legend`: size of what stands in the lower right corner; long read-outs go above it.
+void drawPane(WindowModel& model, int pane, ImVec2 low, ImVec2 high, const PanePicture& first, const PanePicture* second, ImVec2 legend = {0, 0});
 
 // The range that the view's colours span now.
 ValueRange shownRange(const PanePicture& picture);

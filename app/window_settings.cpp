@@ -17,7 +17,7 @@ namespace gridscope {
 
 namespace {
 
-constexpr float kLabelWidth = 124;   // pixels at UI scale 1
+constexpr float kLabelWidth = 134;   // pixels at UI scale 1
 
 // A row: the label, and the control that follows takes the rest.
 void label(const char* words, const char* about = "") {

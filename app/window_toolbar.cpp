@@ -59,6 +59,7 @@ void drawScrub(WindowModel& model) {
   const SceneFacts* facts = model.frame ? model.frame->scene.get() : nullptr;
   ImGui::SetNextItemWidth(unit(140));
   ImGui::PushFont(windowFonts().mono);
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(unit(6), 0.5f * (unit(24) - windowFonts().mono->FontSize)));
   if (facts && facts->captureFrames > 0) {
     int frame = int(model.request.frame);
     if (ImGui::SliderInt("##scrub", &frame, 0, int(facts->captureFrames) - 1, "%d", ImGuiSliderFlags_AlwaysClamp)) model.request.frame = uint32_t(frame);
@@ -71,6 +72,7 @@ void drawScrub(WindowModel& model) {
   float stepMs = float(1000.0 * model.timeStep);
   ImGui::SetNextItemWidth(unit(76));
   if (ImGui::DragFloat("##step", &stepMs, 0.1f, 0.01f, 10000.0f, "%.2f ms", ImGuiSliderFlags_AlwaysClamp)) model.timeStep = double(stepMs) / 1000.0;
+  ImGui::PopStyleVar();
   ImGui::PopFont();
   whyTooltip("Time step: what one frame moves the animations on");
 }
@@ -80,8 +82,11 @@ void drawTime(WindowModel& model) {
   const auto button = [&](const char* name, Glyph glyph) {
     if (glyphButton((std::string("##") + name).c_str(), glyph, enabled)) action(name).run(model);
   };
+  const ImVec2 place = ImGui::GetCursorPos();
+  ImGui::SetCursorPosY(place.y + unit(3));
   textDim("Frame");
   ImGui::SameLine();
+  ImGui::SetCursorPosY(place.y);
   button("First frame", Glyph::first);
   button("Previous frame", Glyph::back);
   button("Play", model.playing ? Glyph::pause : Glyph::play);

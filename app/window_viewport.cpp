@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/model_flow.h"
 #include "app/text.h"
 #include "app/window_actions.h"
 #include "app/window_legend.h"
@@ -73,6 +74,7 @@ void barRange(WindowModel& model) {
   const View* view = findView(pane.view);
   if (!view || view->range == ViewRange::none) return;
   ImGui::SameLine(0.0f, unit(12));
+  ImGui::AlignTextToFramePadding();
   textDim("Range");
   ImGui::SameLine();
   ValueRange range = shownRange(pictureOf(model, model.activePane));
@@ -114,6 +116,7 @@ void barCompare(WindowModel& model) {
   if (model.layout != ViewportLayout::compare) return;
   CompareState& compare = model.comparison;
   ImGui::SameLine(0.0f, unit(12));
+  ImGui::AlignTextToFramePadding();
   textDim("B");
   ImGui::SameLine();
   ImGui::SetNextItemWidth(unit(110));
@@ -189,23 +192,25 @@ void drawFour(WindowModel& model, ImVec2 low, ImVec2 high) {
 
 // Long work, with its bar and its end, where its result will be.
 void drawWork(WindowModel& model, ImVec2 low, ImVec2 high) {
-  if (!model.work || model.work->seconds < 0.3) {
-    if (!model.work || model.work->share >= 0.0f || model.work->seconds > 0.0) return;
-  }
+  if (!model.work || model.work->seconds < 0.15) return;
   const LongWork& work = *model.work;
-  const ImVec2 size{unit(320), unit(84)}, corner{0.5f * (low.x + high.x - size.x), 0.5f * (low.y + high.y - size.y)};
+  const bool loads = work.share < 0.0f;   // there may be no picture under it
+  const ImVec2 size{unit(320), unit(84)}, corner{0.5f * (low.x + high.x - size.x), loads ? 0.5f * (low.y + high.y - size.y) : high.y - size.y - unit(60)};
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.AddRectFilled(corner, {corner.x + size.x, corner.y + size.y}, packed(uiColour(UiColour::head)), unit(3));
   list.AddRect(corner, {corner.x + size.x, corner.y + size.y}, packed(uiColour(UiColour::line)), unit(3));
   ImGui::SetCursorScreenPos({corner.x + unit(12), corner.y + unit(8)});
-  ImGui::Text("%s, %.1f s", work.what.c_str(), work.seconds);
+  const double left = work.share > 0.02f ? work.seconds * double(1.0f / work.share - 1.0f) : -1.0;
+  ImGui::Text("%s, %.1f s%s", work.what.c_str(), work.seconds, left >= 0.0 ? printed(", %.0f s left", std::ceil(left)).c_str() : "");
   const ImVec2 bar{corner.x + unit(12), corner.y + unit(32)}, barEnd{corner.x + size.x - unit(12), corner.y + unit(38)};
   list.AddRectFilled(bar, barEnd, packed(uiColour(UiColour::control)), unit(3));
   const float sweep = work.share >= 0.0f ? work.share : 0.3f, width = barEnd.x - bar.x;
   const float begin = work.share >= 0.0f ? 0.0f : float(std::fmod(model.now * 0.6, 1.0)) * 0.7f;
   list.AddRectFilled({bar.x + begin * width, bar.y}, {bar.x + (begin + sweep) * width, barEnd.y}, packed(uiColour(UiColour::accent)), unit(3));
   ImGui::SetCursorScreenPos({corner.x + unit(12), corner.y + unit(48)});
-  if (ImGui::Button("Cancel", {unit(80), unit(24)})) model.cancelWork = true;
+  if (!ImGui::Button("Cancel", {unit(80), unit(24)})) return;
+  if (loads) model.cancelWork = true;
+  else declineTruth(model);
 }
 
 void drawToast(const WindowModel& model, ImVec2 low, ImVec2 high) {
@@ -231,8 +236,9 @@ void drawViewport(WindowModel& model) {
     const PanePicture first = pictureOf(model, model.activePane);
     const bool compares = model.layout == ViewportLayout::compare;
     const PanePicture second = compares ? secondPicture(model) : PanePicture{};
-    drawPane(model, model.activePane, top, high, first, compares ? &second : nullptr);
-    if (const View* view = findView(first.view)) drawLegendBox(model, *view, shownRange(first), {high.x - unit(10), high.y - unit(10)});
+    const View* view = findView(first.view);
+    drawPane(model, model.activePane, top, high, first, compares ? &second : nullptr, view ? legendBoxSize(*view) : ImVec2(0, 0));
+    if (view) drawLegendBox(model, *view, shownRange(first), {high.x - unit(10), high.y - unit(10)});
     drawGizmo(model, {high.x - unit(46), top.y + unit(46)}, unit(34));
   }
   drawWork(model, top, high);

@@ -11,7 +11,7 @@ namespace gridscope {
 namespace {
 
 // Where values stand in rows of facts, pixels from the left edge of the panel's content.
-constexpr float kValueColumn = 92.0f;
+constexpr float kValueColumn = 124.0f;
 
 // A faint key cap behind a label, as buttons and menus print their keys.
 void drawKeyCap(ImVec2 low, const char* key, bool enabled) {

@@ -75,7 +75,15 @@ struct TypeSizes {
 
 }  // namespace
 
+static std::map<std::string, std::vector<uint32_t>>& replacedShaders() {
+  static std::map<std::string, std::vector<uint32_t>> replaced;
+  return replaced;
+}
+
+void replaceShaders(std::map<std::string, std::vector<uint32_t>> wordsByStem) { replacedShaders() = std::move(wordsByStem); }
+
 std::span<const uint32_t> shaderCode(std::string_view stem) {
+  if (const auto found = replacedShaders().find(std::string(stem)); found != replacedShaders().end()) return found->second;
   for (const ShaderCode& shader : allShaders())
     if (shader.stem == stem) return shader.words;
   CHECK_EQ(stem, "a shader that was built");

@@ -1,0 +1,213 @@
+// The window's worker without a window: frames come as they are asked for, parts run again as little as they need, and what can't be had
+// leaves what there was.
+#include <chrono>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <thread>
+
+#include <gtest/gtest.h>
+
+#include "app/frame_worker.h"
+#include "core/error.h"
+
+namespace gridscope {
+namespace {
+
+Options startOptions(const char* scene = "saturated-cell") {
+  Options options;
+  options.scene = scene;
+  options.size = FrameSize{96, 54};
+  options.validation = true;
+  return options;
+}
+
+// Waits until everything that was asked for is made.
+std::shared_ptr<const FrameSnapshot> settle(FrameWorker& worker) {
+  for (int i = 0; i < 2400; ++i) {
+    if (worker.idle() && worker.newest()) return worker.newest();
+    std::this_thread::sleep_for(std::chrono::milliseconds(25));
+  }
+  ADD_FAILURE() << "the worker did not come to rest";
+  return worker.newest();
+}
+
+FrameRequest firstRequest(const Options& options) {
+  FrameRequest request;
+  request.source = sourceOf(options);
+  request.views = {"final", "occupancy"};
+  return request;
+}
+
+struct Running {
+  Options options;
+  FrameWorker worker;
+  FrameRequest request;
+
+  explicit Running(const Options& start = startOptions()) : options(start), worker(start, [] {}), request(firstRequest(start)) {}
+  std::shared_ptr<const FrameSnapshot> ask() {
+    worker.ask(request);
+    return settle(worker);
+  }
+  // The first frame, whose settings the request then carries.
+  std::shared_ptr<const FrameSnapshot> begin() {
+    auto frame = ask();
+    if (frame) request.settings = frame->request.settings;
+    return frame;
+  }
+};
+
+template <typename T>
+bool sameBytes(const std::vector<T>& a, const std::vector<T>& b) {
+  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0;
+}
+
+TEST(FrameWorker, ACompleteFrameHoldsEveryProductAndTheViewsThatWereAskedFor) {
+  Running running;
+  const auto frame = running.begin();
+  ASSERT_TRUE(frame && frame->scene && frame->hits && frame->rays && frame->gather && frame->counters && frame->grid && frame->worldTriangles);
+  EXPECT_FALSE(frame->stale);
+  EXPECT_EQ(frame->hits->size(), 96u * 54u);
+  EXPECT_EQ(frame->views.size(), 2u);
+  EXPECT_EQ(frame->views.at("final")->elements.size(), 96u * 54u);
+  EXPECT_TRUE(frame->brokenInvariants.empty());
+  EXPECT_EQ(frame->tried, frame->totals.stored() + frame->totals.refused());
+  ASSERT_TRUE(frame->demand && frame->ledger);
+  EXPECT_EQ(frame->demand->total(), frame->tried);
+  EXPECT_EQ(running.worker.validationMessages(), 0u);
+}
+
+TEST(FrameWorker, TheFrameEqualsWhatOnePipelineMakesInOneGo) {
+  Running running;
+  const auto frame = running.begin();
+  ASSERT_TRUE(frame && frame->hits);
+  GpuContext gpu({.device = "", .validation = true});
+  const LoadedSource loaded = loadSource(running.request.source, running.options);
+  Pipeline pipeline(gpu, loaded.scene, *frame->request.settings);
+  pipeline.build();
+  pipeline.update(0.0f);
+  pipeline.gather();
+  pipeline.bounce(0);
+  pipeline.trace(false);
+  EXPECT_TRUE(sameBytes(pipeline.grid().texels, frame->grid->texels));
+  EXPECT_TRUE(sameBytes(pipeline.hits(), *frame->hits));
+}
+
+TEST(FrameWorker, RecordedRaysEndAsTheFrameDid) {
+  Running running(startOptions("hall"));
+  auto frame = running.begin();
+  for (uint32_t pixel = 3; pixel < 96 * 54; pixel += 397) {
+    running.request.recordPixel = pixel;
+    frame = running.ask();
+    ASSERT_TRUE(frame && frame->record);
+    EXPECT_EQ(frame->record->pixel, pixel);
+    EXPECT_TRUE(frame->record->equalsFrame) << "pixel " << pixel;
+  }
+}
+
+TEST(FrameWorker, AnotherCapacityBuildsAgainWithTheSameRays) {
+  Running running;
+  const auto before = running.begin();
+  running.request.settings->grid.capacity *= 2;
+  const auto after = running.ask();
+  EXPECT_EQ(after->grid->parameters.capacity, 2 * before->grid->parameters.capacity);
+  EXPECT_LT(after->totals.refused(), before->totals.refused());
+  EXPECT_EQ(after->rays, before->rays);
+  EXPECT_GT(after->traceNumber, before->traceNumber);
+}
+
+TEST(FrameWorker, AnotherCameraKeepsTheGrid) {
+  Running running;
+  const auto before = running.begin();
+  running.request.settings->camera.eye += vec3(0.05f, 0.02f, 0.0f);
+  const auto after = running.ask();
+  EXPECT_EQ(after->grid, before->grid);
+  EXPECT_EQ(after->ledger, before->ledger);
+  EXPECT_FALSE(sameBytes(*after->gather, *before->gather));
+}
+
+TEST(FrameWorker, ASettingThatDoesNotFitSaysWhyAndLeavesTheFrame) {
+  Running running;
+  const auto before = running.begin();
+  const uint32_t capacity = running.request.settings->grid.capacity;
+  running.request.settings->grid.cells = 100000;
+  const auto refused = running.ask();
+  EXPECT_FALSE(refused->fault.empty());
+  EXPECT_EQ(refused->request.settings->grid.cells, before->request.settings->grid.cells);
+  EXPECT_EQ(refused->hits, before->hits);
+
+  // And goes on from there.
+  running.request.settings = refused->request.settings;
+  running.request.settings->grid.capacity = capacity + 1;
+  const auto after = running.ask();
+  EXPECT_EQ(after->grid->parameters.capacity, int(capacity) + 1);
+}
+
+TEST(FrameWorker, ASceneThatCantBeLoadedLeavesTheOldOne) {
+  Running running;
+  const auto before = running.begin();
+  running.request.source.scene = "nowhere.glb";
+  const auto refused = running.ask();
+  EXPECT_NE(refused->fault.find("nowhere.glb"), std::string::npos) << refused->fault;
+  EXPECT_EQ(refused->scene, before->scene);
+  EXPECT_EQ(refused->hits, before->hits);
+  EXPECT_EQ(refused->request.source.scene, before->request.source.scene);
+}
+
+TEST(FrameWorker, RequestsThatFollowFastAreAnsweredByTheLast) {
+  Running running;
+  running.begin();
+  for (int i = 1; i <= 20; ++i) {
+    running.request.settings->bounce.seed = uint32_t(i);
+    running.worker.ask(running.request);
+    std::this_thread::sleep_for(std::chrono::milliseconds(3));
+  }
+  const auto frame = settle(running.worker);
+  EXPECT_EQ(frame->request.settings->bounce.seed, 20u);
+  EXPECT_EQ(frame->parameters.bounce.seed, 20u);
+  EXPECT_FALSE(frame->stale);
+}
+
+TEST(FrameWorker, AHiddenInstanceLosesItsTrianglesAndKeepsItsNumber) {
+  Running running(startOptions("hall"));
+  const auto before = running.begin();
+  running.request.edits = {{.sceneInstance = 0, .kind = InstanceEdit::Kind::hide}};
+  const auto after = running.ask();
+  EXPECT_LT(after->scene->numbered.triangleCount, before->scene->numbered.triangleCount);
+  for (const InstanceSource& source : after->scene->numbered.sources) EXPECT_NE(source.sceneInstance, 0u);
+  EXPECT_EQ(after->scene->names.instances, before->scene->names.instances);
+  EXPECT_EQ(after->parameters.grid.cellCount, before->parameters.grid.cellCount);
+}
+
+TEST(FrameWorker, ACaptureOfTheFrameShowsTheSameHits) {
+  const std::string file = (std::filesystem::temp_directory_path() / "frame_worker_test.gridcap").string();
+  Running running;
+  const auto before = running.begin();
+  running.worker.capture({.file = file, .note = "as the window writes it"});
+  settle(running.worker);
+  running.request = {};
+  running.request.source.scene = file;
+  running.request.views = {"final"};
+  const auto captured = running.ask();
+  EXPECT_EQ(captured->scene->captureFrames, 1u) << captured->fault;
+  EXPECT_EQ(captured->scene->note, "as the window writes it");
+  EXPECT_TRUE(sameBytes(*captured->hits, *before->hits));
+  EXPECT_TRUE(sameBytes(captured->grid->texels, before->grid->texels));
+  std::filesystem::remove(file);
+}
+
+TEST(FrameWorker, TheTruthIsToldWhenItIsAskedFor) {
+  Running running;
+  EXPECT_FALSE(running.begin()->truths);
+  running.request.truth = true;
+  running.request.recordPixel = 96 * 20 + 40;
+  const auto frame = running.ask();
+  ASSERT_TRUE(frame->truths && frame->exact);
+  EXPECT_EQ(frame->truths->size(), frame->hits->size());
+  const TruthTotals& totals = frame->truthTotals;
+  EXPECT_EQ(totals.rays, totals.agreeHit + totals.agreeMiss + totals.differ());
+  ASSERT_TRUE(frame->record && frame->record->truth && frame->record->exact);
+}
+
+}  // namespace
+}  // namespace gridscope
