@@ -1,0 +1,116 @@
+// See find_next.h.
+#include "app/find_next.h"
+
+#include <algorithm>
+
+namespace gridscope {
+
+namespace {
+
+// The order of the rays, and where `from` stands in it.
+class RayWalk {
+ public:
+  RayWalk(const FrameSnapshot& frame, std::span<const uint32_t> order, std::optional<uint32_t> from)
+      : order_(order), count_(order.empty() ? frame.pixelCount() : order.size()) {
+    if (!from) return;
+    if (order.empty()) {
+      if (*from < count_) at_ = *from;
+    } else if (const auto found = std::find(order.begin(), order.end(), *from); found != order.end()) {
+      at_ = size_t(found - order.begin());
+    }
+  }
+
+  // The first pixel that `accepts` takes, going forward or back from behind the start; the start itself comes last.
+  template <typename Accepts>
+  std::optional<uint32_t> first(bool forward, const Accepts& accepts) const {
+    const size_t start = at_.value_or(forward ? count_ - 1 : 0);
+    for (size_t step = 1; step <= count_; ++step) {
+      const size_t place = forward ? (start + step) % count_ : (start + count_ - step) % count_;
+      const uint32_t pixel = order_.empty() ? static_cast<uint32_t>(place) : order_[place];
+      if (accepts(pixel)) return pixel;
+    }
+    return std::nullopt;
+  }
+
+ private:
+  std::span<const uint32_t> order_;
+  size_t count_;
+  std::optional<size_t> at_;
+};
+
+bool isRay(const FrameSnapshot& frame, uint32_t pixel) {
+  return frame.hits && pixel < frame.hits->size() && (*frame.hits)[pixel].kind != kHitNoRay;
+}
+
+}  // namespace
+
+std::optional<uint32_t> nextRay(const FrameSnapshot& frame, std::span<const uint32_t> order, std::optional<uint32_t> from, const RayWanted& wanted) {
+  if (wanted.asksForTruth() && !frame.truths) return std::nullopt;
+  return RayWalk(frame, order, from).first(true, [&](uint32_t pixel) {
+    if (!isRay(frame, pixel)) return false;
+    if (wanted.kind && (*frame.hits)[pixel].kind != *wanted.kind) return false;
+    if (!wanted.asksForTruth()) return true;
+    if (pixel >= frame.truths->size()) return false;
+    const RayTruth& truth = (*frame.truths)[pixel];
+    return (!wanted.verdict || truth.verdict == *wanted.verdict) && (!wanted.cause || truth.cause == *wanted.cause);
+  });
+}
+
+std::optional<uint32_t> nextHole(const FrameSnapshot& frame, std::span<const uint32_t> order, std::optional<uint32_t> from) {
+  return nextRay(frame, order, from, {.verdict = kVerdictHole});
+}
+
+std::optional<uint32_t> nextVoxelWrong(const FrameSnapshot& frame, std::span<const uint32_t> order, std::optional<uint32_t> from) {
+  return nextRay(frame, order, from, {.verdict = kVerdictVoxelWrong});
+}
+
+std::optional<uint32_t> neighbourRay(const FrameSnapshot& frame, std::span<const uint32_t> order, std::optional<uint32_t> from, int places) {
+  std::optional<uint32_t> pixel = from;
+  for (int step = 0; step < std::abs(places); ++step)
+    pixel = RayWalk(frame, order, pixel).first(places > 0, [&](uint32_t candidate) { return isRay(frame, candidate); });
+  return pixel;
+}
+
+FullCell fullnessOf(const Grid& grid, const ivec3& cell) {
+  const GridParameters& shape = grid.parameters;
+  FullCell full{.cell = cell};
+  const size_t first = grid.index(gridTexel(shape, cell, 0)), next = shape.capacity > 1 ? grid.index(gridTexel(shape, cell, 1)) - first : 1;
+  while (int(full.stored) < shape.capacity && grid.texels[first + full.stored * next] != kBlank) ++full.stored;
+  if (shape.reserved == 2) full.refused = grid.at(gridRefusedTexel(shape, cell, false)) + grid.at(gridRefusedTexel(shape, cell, true));
+  if (shape.reserved == 1) full.refused = grid.at(gridTexel(shape, cell, shape.capacity)) != 0 ? 1 : 0;
+  full.saturated = shape.reserved == 0 ? int(full.stored) == shape.capacity : full.refused > 0;
+  return full;
+}
+
+namespace {
+
+// Cells of a grid for which `accepts` holds, the fullest first.
+template <typename Accepts>
+std::vector<FullCell> cellsByDemand(const Grid& grid, const Accepts& accepts) {
+  const ivec3 count = grid.parameters.cellCount;
+  std::vector<FullCell> cells;
+  ivec3 cell;
+  for (cell.z = 0; cell.z < count.z; ++cell.z)
+    for (cell.y = 0; cell.y < count.y; ++cell.y)
+      for (cell.x = 0; cell.x < count.x; ++cell.x)
+        if (const FullCell full = fullnessOf(grid, cell); accepts(full)) cells.push_back(full);
+  std::stable_sort(cells.begin(), cells.end(), [](const FullCell& a, const FullCell& b) { return a.tried() > b.tried(); });
+  return cells;
+}
+
+}  // namespace
+
+std::vector<FullCell> saturatedCells(const Grid& grid) {
+  return cellsByDemand(grid, [](const FullCell& cell) { return cell.saturated; });
+}
+
+std::optional<ivec3> nextFullCell(const Grid& grid, std::optional<ivec3> from) {
+  std::vector<FullCell> cells = saturatedCells(grid);
+  if (cells.empty()) cells = cellsByDemand(grid, [](const FullCell& cell) { return cell.stored > 0; });
+  if (cells.empty()) return std::nullopt;
+  const auto found = std::find_if(cells.begin(), cells.end(), [&](const FullCell& cell) { return from && cell.cell == *from; });
+  if (found == cells.end() || found + 1 == cells.end()) return cells.front().cell;
+  return (found + 1)->cell;
+}
+
+}  // namespace gridscope
