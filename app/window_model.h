@@ -144,6 +144,7 @@ struct WindowModel {
   ViewportLayout layout = ViewportLayout::one;
   std::array<Pane, 4> panes{Pane{"final"}, Pane{"verdict"}, Pane{"cause"}, Pane{"visits"}};
   int activePane = 0;
+  std::optional<Bounds> focusWanted;             // world: the camera looks there, once
   bool linkedPanes = true;
   std::array<ViewportPlace, 4> places;           // linked: the first is everyone's
   CompareState comparison;
