@@ -14,6 +14,7 @@
 
 #include "app/frame_snapshot.h"
 #include "app/selection.h"
+#include "app/stage_history.h"
 #include "views/picture.h"
 
 namespace gridscope {
@@ -122,6 +123,7 @@ struct WindowModel {
   Jump pendingJump = Jump::none;
   bool truthDeclined = false;                    // cancelled: views that show it do not ask for it by themselves
   std::string shaderFault;                       // the compiler's text of the last F5; empty: shaders are current
+  StageHistory stageHistory;                     // noted with every new snapshot
   std::vector<FrameSettings> undo;               // settings before each change, last at the end
 
   // Selection.
