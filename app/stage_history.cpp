@@ -45,8 +45,8 @@ std::string settingsChange(const FrameSettings& before, const FrameSettings& aft
 }
 
 void StageHistory::note(const FrameSnapshot& frame) {
-  if (frame.number == number_ || frame.stale || !frame.request.settings) return;
-  number_ = frame.number;
+  if (frame.traceNumber == traceNumber_ || frame.stale || !frame.request.settings) return;
+  traceNumber_ = frame.traceNumber;
   StageMoment moment{.times = frame.times};
   if (settings_) moment.change = settingsChange(*settings_, *frame.request.settings);
   settings_ = frame.request.settings;

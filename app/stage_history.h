@@ -19,14 +19,14 @@ class StageHistory {
  public:
   static constexpr size_t kMost = 200;
 
-  // Keeps a new finished frame; nothing when it is known already, or when its stages are running again.
+  // Keeps a frame with new hits; nothing when they are known already, or when its stages are running again.
   void note(const FrameSnapshot& frame);
 
   const std::deque<StageMoment>& moments() const { return moments_; }  // the last at the end
 
  private:
   std::deque<StageMoment> moments_;
-  uint64_t number_ = 0;                // of the last snapshot
+  uint64_t traceNumber_ = 0;           // of the last snapshot that was kept
   std::optional<FrameSettings> settings_;
 };
 

@@ -69,18 +69,19 @@ TEST(Histogram, CountsOccupiedCellsAndRays) {
 
 TEST(StageHistory, KeepsEachFinishedFrameOnceAndTheLastTwoHundred) {
   SmallFrame small;
+  small.frame.traceNumber = 1;
   StageHistory history;
   history.note(small.frame);
   history.note(small.frame);
   EXPECT_EQ(history.moments().size(), 1u);
-  small.frame.number = 2, small.frame.stale = true;
+  small.frame.traceNumber = 2, small.frame.stale = true;
   history.note(small.frame);
   EXPECT_EQ(history.moments().size(), 1u);
   small.frame.stale = false;
   small.frame.request.settings->grid.capacity = 48;
   history.note(small.frame);
   EXPECT_EQ(history.moments().back().change, "capacity 2 \u2192 48");
-  for (small.frame.number = 3; small.frame.number < 300; ++small.frame.number) history.note(small.frame);
+  for (small.frame.traceNumber = 3; small.frame.traceNumber < 300; ++small.frame.traceNumber) history.note(small.frame);
   EXPECT_EQ(history.moments().size(), StageHistory::kMost);
   EXPECT_EQ(history.moments().back().change, "");
 }
