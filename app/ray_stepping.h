@@ -1,0 +1,46 @@
+// Going through the steps of the recorded ray: forward, back, to the next step of a kind, to the next ray. What buttons and keys call. Going
+// back reads the record, so it is the exact inverse of going forward.
+#pragma once
+
+#include <optional>
+
+#include "app/window_model.h"
+
+namespace gridscope {
+
+// What "run to the next" looks for.
+enum class StepSearch {
+  nonEmpty,    // the segment starts in a cell that holds references; read, or skipped as the cell visited last
+  tested,      // references were tested
+  saturated,   // the cell refused references
+  revisit,     // the segment starts in the cell visited last
+  voxelHit     // the ray ends there with a voxel hit
+};
+
+// The first such step after `from` (direction 1) or before it (-1); nothing: there is none.
+std::optional<uint32_t> nextStep(const RayRecord& record, uint32_t from, StepSearch search, int direction = 1);
+
+// The record of the selected pixel's ray; null: none is selected, or its record is on its way.
+const RecordedRay* shownRecord(const WindowModel& model);
+
+// The selected step, within the record; nothing without a record or with one that has no steps.
+std::optional<uint32_t> shownStep(const WindowModel& model);
+
+// All do nothing without a record, and leave the selection where there is no such step.
+void stepForward(WindowModel& model);
+void stepBack(WindowModel& model);
+void stepFirst(WindowModel& model);
+void stepLast(WindowModel& model);
+bool stepToNext(WindowModel& model, StepSearch search, int direction = 1);  // true: there was one
+void selectStepAt(WindowModel& model, uint32_t step);                        // the last one when there are fewer
+
+// Selects the next (1) or previous (-1) ray in the order of the rays table, and shows its steps.
+void nextRay(WindowModel& model, int direction);
+
+// Plays the steps from the selected one, from the first when that is the last; or stops.
+void togglePlay(WindowModel& model);
+
+// Goes on with the play when its time has come. `due`: when the next step is; the caller keeps it.
+void advancePlay(WindowModel& model, double& due);
+
+}  // namespace gridscope
