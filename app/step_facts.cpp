@@ -128,7 +128,8 @@ float stepTravel(const FrameSnapshot& frame, const RecordedRay& ray, uint32_t st
 StepFacts stepFacts(const FrameSnapshot& frame, const RecordedRay& ray, uint32_t step) {
   const StepRecord& at = ray.record.steps[step];
   const GridParameters& grid = frame.grid->parameters;
-  FrameTrace trace(traceInput(frame));
+  const TraceInput input = traceInput(frame);
+  FrameTrace trace(input);
 
   // Where it lies.
   StepFacts facts;
