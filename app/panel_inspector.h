@@ -22,7 +22,7 @@ struct InspectorTitle {
   std::string name;
   std::string word;
   uint32_t colour = 0;                 // kColour... of the word
-  std::optional<StepKind> glyph;       // before the word; otherwise a swatch
+  std::optional<StepOutcome> glyph;       // before the word; otherwise a swatch
   bool hatched = false;
   std::optional<Bounds> focus;         // world; nothing: the button is disabled
   std::string text;                    // what is copied

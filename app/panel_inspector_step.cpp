@@ -98,7 +98,7 @@ std::vector<TestRow> testRows(const ShownStep& shown) {
   const Hit& hit = shown.ray->record.hit;
   for (const TestFacts& test : shown.facts.tests)
     addRow(rows, meshRow, {.test = test.test, .weights = test.weights, .name = test.name, .marked = test.isNew, .best = test.best,
-                           .filled = shown.facts.kind == StepKind::voxelHit && test.test.reference == hit.reference});
+                           .filled = shown.facts.kind == StepOutcome::voxelHit && test.test.reference == hit.reference});
   return rows;
 }
 

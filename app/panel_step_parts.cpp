@@ -99,7 +99,7 @@ const ShownStep* shownStepFacts(const WindowModel& model) {
   return &cached.shown;
 }
 
-void drawStepGlyph(ImDrawList* list, ImVec2 centre, float size, StepKind kind) {
+void drawStepGlyph(ImDrawList* list, ImVec2 centre, float size, StepOutcome kind) {
   const StepLook& look = stepLook(kind);
   const ImU32 colour = packed(meaningColour(look.colour));
   const float half = 0.5f * size;
@@ -125,7 +125,7 @@ void drawStepGlyph(ImDrawList* list, ImVec2 centre, float size, StepKind kind) {
   }
 }
 
-void stepGlyphInline(StepKind kind) {
+void stepGlyphInline(StepOutcome kind) {
   const float height = ImGui::GetTextLineHeight();
   const ImVec2 place = ImGui::GetCursorScreenPos();
   drawStepGlyph(ImGui::GetWindowDrawList(), ImVec2(place.x + unit(6), place.y + 0.5f * height), unit(10), kind);

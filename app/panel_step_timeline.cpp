@@ -58,7 +58,7 @@ void drawTestBar(const Rows& rows, const RayRecord& record, uint32_t step, size_
   const size_t tests = record.steps[step].tests.size();
   if (tests == 0) return;
   ImDrawList* list = ImGui::GetWindowDrawList();
-  const StepLook& look = stepLook(stepKind(record, step));
+  const StepLook& look = stepLook(stepOutcome(record, step));
   const float room = std::max(rows.testsBottom - rows.testsTop - unit(15), unit(2));
   const float top = rows.testsBottom - std::max(room * float(tests) / float(most), unit(2));
   const float half = std::min(0.36f * rows.column, unit(14));
@@ -122,7 +122,7 @@ void drawSelected(const Rows& rows, uint32_t step, float bottom) {
 void drawTooltip(const FrameSnapshot& frame, const RecordedRay& ray, uint32_t step) {
   const StepRecord& at = ray.record.steps[step];
   ImGui::BeginTooltip();
-  ImGui::Text("Step %u, %s", step, stepLook(stepKind(ray.record, step)).word.data());
+  ImGui::Text("Step %u, %s", step, stepLook(stepOutcome(ray.record, step)).word.data());
   ImGui::PushFont(windowFonts().mono);
   ImGui::Text("cell %s   t %.4g", cellNumbers(at.cell).c_str(), at.start);
   ImGui::Text("%zu tests%s   gate %.2f", at.tests.size(), at.saturated ? ", saturated" : "", stepTravel(frame, ray, step));
@@ -186,7 +186,7 @@ void drawStepTimeline(WindowModel& model, const RecordedRay& ray, uint32_t step,
   list->AddLine(ImVec2(left, rows.testsBottom), ImVec2(right, rows.testsBottom), packed(uiColour(UiColour::line)));
   for (uint32_t i = begin; i < end; ++i) {
     if (i % every == 0 || i == step) centredText(list, ImVec2(rows.x(i), rows.top + unit(0.5f * kNumberRow)), std::to_string(i), uiColour(i == step ? UiColour::text : UiColour::dim));
-    drawStepGlyph(list, ImVec2(rows.x(i), rows.glyphs + unit(0.5f * kGlyphRow)), std::min(unit(13), 0.7f * column), stepKind(record, i));
+    drawStepGlyph(list, ImVec2(rows.x(i), rows.glyphs + unit(0.5f * kGlyphRow)), std::min(unit(13), 0.7f * column), stepOutcome(record, i));
     drawTestBar(rows, record, i, most);
   }
   drawGate(*model.frame, ray, rows, begin, end);

@@ -134,7 +134,7 @@ StepFacts stepFacts(const FrameSnapshot& frame, const RecordedRay& ray, uint32_t
   // Where it lies.
   StepFacts facts;
   facts.index = step;
-  facts.kind = stepKind(ray.record, step);
+  facts.kind = stepOutcome(ray.record, step);
   facts.startT = at.start;
   facts.cell = at.cell;
   facts.inGrid = gridContains(grid, at.cell);

@@ -41,7 +41,7 @@ struct StepChanges {
 
 struct StepFacts {
   uint32_t index = 0;                  // in the record
-  StepKind kind = StepKind::empty;
+  StepOutcome kind = StepOutcome::empty;
   vec3 start{0.0f}, end{0.0f};         // world
   float startT = 0.0f, endT = 0.0f;    // along the ray, world units
   vec2 window{0.0f};                   // hits counted from the first to the second t; the second is kFar for dda

@@ -89,9 +89,9 @@ std::string hitWords(const Hit& hit) {
 
 std::string whyRead(const RecordedRay& ray, const StepFacts& facts) {
   switch (facts.kind) {
-    case StepKind::outside: return isLast(ray, facts) ? "Not read: it starts outside the grid." : "Not read: it starts before the ray enters the grid.";
-    case StepKind::revisit: return "Not read: the same cell as the one visited last.";
-    case StepKind::empty: return "Read once: its first slot is blank, there is nothing to test.";
+    case StepOutcome::outside: return isLast(ray, facts) ? "Not read: it starts outside the grid." : "Not read: it starts before the ray enters the grid.";
+    case StepOutcome::revisit: return "Not read: the same cell as the one visited last.";
+    case StepOutcome::empty: return "Read once: its first slot is blank, there is nothing to test.";
     default: return printed("Read: its first slot is in use, %s.", facts.tests.size() == 1 ? "one reference was tested" : printed("all %zu references were tested", facts.tests.size()).c_str());
   }
 }
@@ -99,22 +99,22 @@ std::string whyRead(const RecordedRay& ray, const StepFacts& facts) {
 std::string whyWent(const FrameSnapshot& frame, const RecordedRay& ray, const StepFacts& facts) {
   const bool last = isLast(ray, facts);
   switch (facts.kind) {
-    case StepKind::hit:
+    case StepOutcome::hit:
       return last ? printed("Stopped: the nearest hit of the cell, at t %.4g, is the ray's.", facts.best->t)
                   : "Went on: the hit lies behind this cell, a nearer one may follow.";
-    case StepKind::voxelHit: return printed("Stopped: no triangle hit in a saturated cell and the gate is open, so the gap is filled at t %.4g.", ray.record.hit.t);
-    case StepKind::held: return (last ? "Stopped: " + endWords(ray) + " Before that, " : "Went on without a hit: ") + heldWords(frame, facts) + ".";
+    case StepOutcome::voxelHit: return printed("Stopped: no triangle hit in a saturated cell and the gate is open, so the gap is filled at t %.4g.", ray.record.hit.t);
+    case StepOutcome::held: return (last ? "Stopped: " + endWords(ray) + " Before that, " : "Went on without a hit: ") + heldWords(frame, facts) + ".";
     default: break;
   }
   if (last) return "Stopped: " + endWords(ray);
-  return facts.kind == StepKind::tested ? "Went on: no triangle was hit, and nothing was filled." : "Went on: nothing to hit here.";
+  return facts.kind == StepOutcome::tested ? "Went on: no triangle was hit, and nothing was filled." : "Went on: nothing to hit here.";
 }
 
 Sentence explainStep(const FrameSnapshot& frame, const RecordedRay& ray, const StepFacts& facts) {
   const StepLook& look = stepLook(facts.kind);
   Sentence sentence{{.text = std::string(look.word) + ": ", .colour = look.colour}};
   sentence.front().text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(sentence.front().text[0])));
-  if (facts.kind == StepKind::outside) {
+  if (facts.kind == StepOutcome::outside) {
     sentence.push_back(words(isLast(ray, facts) ? endWords(ray) : "this segment starts before the ray enters the grid; nothing is read."));
     return sentence;
   }
@@ -123,18 +123,18 @@ Sentence explainStep(const FrameSnapshot& frame, const RecordedRay& ray, const S
   sentence.push_back(words("cell "));
   sentence.push_back(cellLink(facts.cell));
   switch (facts.kind) {
-    case StepKind::revisit: sentence.push_back(words(" is the one visited last, so it is not read again.")); break;
-    case StepKind::empty: sentence.push_back(words("'s first slot is blank: one read, and the ray goes on.")); break;
-    case StepKind::tested:
+    case StepOutcome::revisit: sentence.push_back(words(" is the one visited last, so it is not read again.")); break;
+    case StepOutcome::empty: sentence.push_back(words("'s first slot is blank: one read, and the ray goes on.")); break;
+    case StepOutcome::tested:
       sentence.push_back(words(printed(" holds %s; the ray hits none within t %.4g to %.4g", counted(facts.stored, "reference", "references").c_str(),
                                        facts.window.x, std::min(facts.window.y, 1e9f))));
       sentence.push_back(words(facts.saturated ? ", and a hit is known already." : ", and the cell refused nothing."));
       break;
-    case StepKind::held:
+    case StepOutcome::held:
       explainSaturated(sentence, frame, facts);
       sentence.push_back(words(". Not filled: " + heldWords(frame, facts) + "."));
       break;
-    case StepKind::hit:
+    case StepOutcome::hit:
       sentence.push_back(words(" holds "));
       addTriangle(sentence, frame, facts.best->reference);
       sentence.push_back(words(printed(", hit at t %.4g.", facts.best->t)));
@@ -144,7 +144,7 @@ Sentence explainStep(const FrameSnapshot& frame, const RecordedRay& ray, const S
       sentence.push_back(words("."));
   }
   if (isLast(ray, facts)) {
-    const bool ends = facts.kind == StepKind::hit || facts.kind == StepKind::voxelHit;
+    const bool ends = facts.kind == StepOutcome::hit || facts.kind == StepOutcome::voxelHit;
     sentence.push_back(words(ends ? exactWords(frame, ray) : " " + endWords(ray) + (ray.record.hit.kind == kHitTriangle ? exactWords(frame, ray) : "")));
   }
   return sentence;

@@ -9,22 +9,22 @@
 
 namespace gridscope {
 
-StepKind stepKind(const RayRecord& record, uint32_t step) {
+StepOutcome stepOutcome(const RayRecord& record, uint32_t step) {
   const StepRecord& at = record.steps[step];
-  if (at.outcome == kStepOutside) return StepKind::outside;
-  if (at.outcome == kStepRevisit) return StepKind::revisit;
-  if (at.outcome == kStepEmpty) return StepKind::empty;
+  if (at.outcome == kStepOutside) return StepOutcome::outside;
+  if (at.outcome == kStepRevisit) return StepOutcome::revisit;
+  if (at.outcome == kStepEmpty) return StepOutcome::empty;
   const auto isHit = [](const TestRecord& test) { return test.verdict == kTestHit; };
-  if (std::any_of(at.tests.begin(), at.tests.end(), isHit)) return StepKind::hit;
-  if (record.hit.kind == kHitVoxel && step + 1 == record.steps.size()) return StepKind::voxelHit;
+  if (std::any_of(at.tests.begin(), at.tests.end(), isHit)) return StepOutcome::hit;
+  if (record.hit.kind == kHitVoxel && step + 1 == record.steps.size()) return StepOutcome::voxelHit;
   // A walk that already has a hit fills no gaps, nor holds any back.
   const auto hasHit = [&](const StepRecord& before) { return std::any_of(before.tests.begin(), before.tests.end(), isHit); };
   const bool foundBefore = std::any_of(record.steps.begin(), record.steps.begin() + step, hasHit);
-  return at.saturated && !foundBefore ? StepKind::held : StepKind::tested;
+  return at.saturated && !foundBefore ? StepOutcome::held : StepOutcome::tested;
 }
 
-const StepLook& stepLook(StepKind kind) {
-  static constexpr std::array<StepLook, kStepKindCount> kLooks{{{"outside the grid", kColourDim, StepShape::cross},
+const StepLook& stepLook(StepOutcome kind) {
+  static constexpr std::array<StepLook, kStepOutcomeCount> kLooks{{{"outside the grid", kColourDim, StepShape::cross},
                                                                {"revisit", kColourRevisit, StepShape::ring},
                                                                {"empty", kColourEmpty, StepShape::dot},
                                                                {"tested, no hit", kColourTested, StepShape::square},

@@ -11,7 +11,7 @@
 
 namespace gridscope {
 
-enum class StepKind {
+enum class StepOutcome {
   outside,    // starts outside the grid
   revisit,    // starts in the cell visited last: skipped
   empty,      // the cell's first slot is blank
@@ -20,7 +20,7 @@ enum class StepKind {
   hit,        // a triangle was hit (dda: the nearest so far)
   voxelHit    // the gap was filled: the ray ends
 };
-inline constexpr int kStepKindCount = 7;
+inline constexpr int kStepOutcomeCount = 7;
 
 enum class StepShape { dot, ring, square, hatchedSquare, filledSquare, diamond, cross };
 
@@ -30,8 +30,8 @@ struct StepLook {
   StepShape shape;
 };
 
-StepKind stepKind(const RayRecord& record, uint32_t step);
-const StepLook& stepLook(StepKind kind);
+StepOutcome stepOutcome(const RayRecord& record, uint32_t step);
+const StepLook& stepLook(StepOutcome kind);
 
 // "hit", "behind", "before window", "past end", "outside", "parallel", "farther", "alpha 12".
 std::string testWord(const TestRecord& test);

@@ -54,15 +54,15 @@ struct SteppedFrame {
 
 TEST(StepFacts, EveryStepHasTheKindOfWhatBecameOfIt) {
   SteppedFrame scene;
-  std::vector<StepKind> kinds;
-  for (uint32_t step = 0; step < scene.ray().record.steps.size(); ++step) kinds.push_back(stepKind(scene.ray().record, step));
-  EXPECT_EQ(kinds, (std::vector<StepKind>{StepKind::empty, StepKind::empty, StepKind::empty, StepKind::tested, StepKind::voxelHit}));
+  std::vector<StepOutcome> kinds;
+  for (uint32_t step = 0; step < scene.ray().record.steps.size(); ++step) kinds.push_back(stepOutcome(scene.ray().record, step));
+  EXPECT_EQ(kinds, (std::vector<StepOutcome>{StepOutcome::empty, StepOutcome::empty, StepOutcome::empty, StepOutcome::tested, StepOutcome::voxelHit}));
 }
 
 TEST(StepFacts, AGateThatIsNotReachedIsSaidWithItsNumbers) {
   SteppedFrame scene({.gate = 100.0f});
   const StepFacts facts = scene.facts(4);
-  EXPECT_EQ(facts.kind, StepKind::held);
+  EXPECT_EQ(facts.kind, StepOutcome::held);
   EXPECT_FALSE(facts.gateOpen);
   EXPECT_NEAR(facts.travel, 4.0f, 1e-5f);
   EXPECT_NEAR(facts.gate, 100.0f, 1e-3f);
@@ -131,7 +131,7 @@ TEST(StepFacts, AHitIsTheBestSoFarAndStopsTheRay) {
   scene.record({}, makeRay({0.5f, 0.7f, 0.7f}, {1.0f, 0.0f, 0.0f}, {1.0f, 0.0f, 0.0f}));
   const uint32_t last = static_cast<uint32_t>(scene.ray().record.steps.size()) - 1;
   const StepFacts facts = scene.facts(last);
-  EXPECT_EQ(facts.kind, StepKind::hit);
+  EXPECT_EQ(facts.kind, StepOutcome::hit);
   ASSERT_TRUE(facts.best.has_value());
   EXPECT_EQ(facts.best->t, scene.ray().record.hit.t);
   EXPECT_TRUE(facts.changes.best);
@@ -197,7 +197,7 @@ TEST(RayStepping, ASlantedRayThatStaysInACellRevisitsIt) {
   scene.record({}, makeRay({0.05f, 0.05f, 0.05f}, {1.0f, 1.0f, 1.0f}));
   const auto revisit = nextStep(scene.ray().record, 0, StepSearch::revisit);
   ASSERT_TRUE(revisit.has_value());
-  EXPECT_EQ(stepKind(scene.ray().record, *revisit), StepKind::revisit);
+  EXPECT_EQ(stepOutcome(scene.ray().record, *revisit), StepOutcome::revisit);
   EXPECT_EQ(scene.ray().record.steps[*revisit].cell, scene.ray().record.steps[*revisit - 1].cell);
 }
 
