@@ -55,6 +55,14 @@ void focusCamera(CameraState& camera, const Bounds& bounds) {
   camera.pose.eye = middle + back * distance;
 }
 
+bool inPicture(const CameraPose& pose, const FrameSettings& frame, const vec3& point) {
+  const vec3 forward = glm::normalize(pose.target - pose.eye), right = glm::normalize(glm::cross(forward, pose.up)), up = glm::cross(right, forward);
+  const vec3 way = point - pose.eye;
+  const float depth = glm::dot(way, forward), tall = std::tan(0.5f * glm::radians(pose.verticalFovDegrees));
+  const float wide = tall * float(frame.width) / float(std::max(1u, frame.height));
+  return depth > 0.0f && std::abs(glm::dot(way, right)) < depth * wide && std::abs(glm::dot(way, up)) < depth * tall;
+}
+
 void lookAlong(CameraState& camera, int axis, bool positive) {
   const float distance = glm::distance(camera.pose.eye, camera.pose.target);
   vec3 back(0.0f);

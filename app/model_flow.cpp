@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <utility>
 
+#include "app/camera_moves.h"
 #include "app/frame_changes.h"
 #include "views/view.h"
 
@@ -64,6 +65,7 @@ static void greetScene(WindowModel& model) {
 void takeFrame(WindowModel& model, std::shared_ptr<const FrameSnapshot> frame) {
   const bool anotherScene = frame->scene && (!model.frame || !model.frame->scene || model.frame->request.source != frame->request.source);
   model.frame = std::move(frame);
+  model.stageHistory.note(*model.frame);
   if (anotherScene && model.frame->request.settings) greetScene(model);
   if (!model.frame->fault.empty()) {
     // What can't be had is no longer asked for.
@@ -104,7 +106,17 @@ void stepTime(WindowModel& model, int frames) {
   model.request.frame = uint32_t(next);
 }
 
+// The camera goes to what is wanted, unless its middle is in the picture already.
+static void focusOnWanted(WindowModel& model) {
+  if (!model.focusWanted) return;
+  const Bounds wanted = *model.focusWanted;
+  model.focusWanted.reset();
+  if (wanted.empty() || !model.frame || !model.frame->request.settings) return;
+  if (!inPicture(model.camera.pose, *model.frame->request.settings, 0.5f * (wanted.low + wanted.high))) focusCamera(model.camera, wanted);
+}
+
 void advanceModel(WindowModel& model, double seconds) {
+  focusOnWanted(model);
   if (model.frame && model.frame->scene) model.savedBookmarks[model.frame->scene->path] = model.bookmarks;
   static double steps = 0.0;
   if (model.playing && model.frame && !model.frame->stale && model.frame->request.frame == model.request.frame &&

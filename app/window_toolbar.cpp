@@ -6,6 +6,8 @@
 #include <cmath>
 
 #include "app/model_flow.h"
+#include "app/search.h"
+#include "app/table_rows.h"
 #include "app/text.h"
 #include "app/window_actions.h"
 #include "app/window_panels.h"
@@ -94,6 +96,18 @@ void drawTime(WindowModel& model) {
   drawScrub(model);
 }
 
+// Selects what the search box names, and ends the search where it was found: it would filter the tables.
+void goToTarget(WindowModel& model) {
+  const std::optional<SearchTarget> target = findTarget(*model.frame, model.search);
+  if (!target) return model.showMessage("Nothing here is called \"" + model.search + "\"");
+  const GridParameters& grid = model.frame->parameters.grid;
+  if (target->pixel) model.selection.selectPixel(*target->pixel);
+  if (target->cell) model.selection.selectCell(*target->cell), model.focusWanted = boundsOfCell(grid, *target->cell);
+  if (target->reference) model.selection.selectTriangle(*target->reference), model.focusWanted = boundsOfTriangle(*model.frame, *target->reference);
+  if (target->instance) model.selection.selectInstance(*target->instance), model.focusWanted = boundsOfInstance(*model.frame, *target->instance);
+  model.search.clear();
+}
+
 void drawSearch(WindowModel& model, float right) {
   const float width = std::min(unit(370), right - ImGui::GetCursorScreenPos().x - unit(8));
   if (width < unit(80)) return;
@@ -101,7 +115,9 @@ void drawSearch(WindowModel& model, float right) {
   ImGui::SetNextItemWidth(width);
   if (model.searchWanted) ImGui::SetKeyboardFocusHere();
   model.searchWanted = false;
-  ImGui::InputTextWithHint("##search", "Pixel, cell, triangle, instance, mesh...   Ctrl+F", &model.search);
+  const bool entered = ImGui::InputTextWithHint("##search", "Pixel, cell, triangle, instance, mesh...   Ctrl+F", &model.search, ImGuiInputTextFlags_EnterReturnsTrue);
+  whyTooltip("Filters the tables as it is typed: words, \"cell 72,4,47\", \"refused>5\". Enter goes to the pixel, cell, triangle or instance");
+  if (entered && model.frame) goToTarget(model);
 }
 
 void divider() {

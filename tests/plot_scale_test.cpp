@@ -20,7 +20,7 @@ std::vector<std::string> labels(const PlotScale& scale, int most) {
 
 using Texts = std::vector<std::string>;
 
-TEST(Plot, TicksStandAtRoundNumbersAndAreNeverMoreThanAskedFor) {
+TEST(PlotScale, TicksStandAtRoundNumbersAndAreNeverMoreThanAskedFor) {
   EXPECT_EQ(labels({0.0, 64.0}, 5), (Texts{"0", "20", "40", "60"}));
   EXPECT_EQ(labels({0.0, 1.0}, 3), (Texts{"0", "0.5", "1"}));
   EXPECT_EQ(labels({1.0, 10000.0, true}, 5), (Texts{"1", "10", "100", "1,000", "10,000"}));
@@ -28,7 +28,7 @@ TEST(Plot, TicksStandAtRoundNumbersAndAreNeverMoreThanAskedFor) {
     for (const double high : {0.3, 1.0, 7.0, 33.0, 463.0, 99999.0}) EXPECT_LE(int(plotTicks({0.0, high}, most).size()), most) << high;
 }
 
-TEST(Plot, AScaleFromZeroEndsAtARoundNumberAtOrAboveTheHighestValue) {
+TEST(PlotScale, AScaleFromZeroEndsAtARoundNumberAtOrAboveTheHighestValue) {
   EXPECT_DOUBLE_EQ(scaleFromZero(463.0).high, 600.0);
   EXPECT_DOUBLE_EQ(scaleFromZero(0.0).high, 1.0);
   EXPECT_DOUBLE_EQ(scaleFromZero(20.0).high, 20.0);
@@ -36,7 +36,7 @@ TEST(Plot, AScaleFromZeroEndsAtARoundNumberAtOrAboveTheHighestValue) {
   EXPECT_DOUBLE_EQ(scaleOfTens(3.0, 200.0).high, 1000.0);
 }
 
-TEST(Plot, PlacesAndValuesAreInverse) {
+TEST(PlotScale, PlacesAndValuesAreInverse) {
   for (const PlotScale& scale : {PlotScale{0.0, 64.0}, PlotScale{1.0, 3000.0, true}})
     for (const double place : {0.0, 0.25, 1.0}) EXPECT_NEAR(scale.placeOf(scale.valueAt(place)), place, 1e-9);
 }
