@@ -32,7 +32,7 @@ static float lineHeight() { return unit(15); }
 
 PlotFrame::PlotFrame(const PlotLook& look, const ImVec2& low, const ImVec2& high) : scaleX_(look.x), scaleY_(look.y) {
   float labels = 0.0f;
-  for (const PlotTick& tick : plotTicks(look.y, 6)) labels = std::max(labels, plotTextWidth(tick.label + look.yUnit, true));
+  for (const PlotTick& tick : plotTicks(look.y, 6)) labels = std::max(labels, plotTextWidth(tick.text + look.yUnit, true));
   low_ = ImVec2(low.x + labels + unit(8), low.y + unit(24));
   high_ = ImVec2(high.x - unit(look.legendWidth) - unit(6),
                  high.y - unit(look.footHeight) - (look.ticksX ? lineHeight() + unit(2) : 0.0f) - (look.xTitle.empty() ? 0.0f : lineHeight()));
@@ -56,7 +56,7 @@ void PlotFrame::drawYTicks(const PlotLook& look) const {
   const int most = std::clamp(int((high_.y - low_.y) / unit(18)), 2, 8);
   for (const PlotTick& tick : plotTicks(look.y, most)) {
     const float place = y(tick.value);
-    const std::string label = tick.label + look.yUnit;
+    const std::string label = tick.text + look.yUnit;
     list->AddLine(ImVec2(low_.x, place), ImVec2(high_.x, place), packed(uiColour(UiColour::line)), 1.0f);
     plotText(ImVec2(low_.x - unit(6) - plotTextWidth(label, true), place - 0.5f * unit(13)), label, uiColour(UiColour::dim), true);
   }
@@ -68,11 +68,11 @@ void PlotFrame::drawXTicks(const PlotLook& look) const {
   const int most = std::clamp(int((high_.x - low_.x) / unit(46)), 2, 10);
   float free = low_.x - unit(20);
   for (const PlotTick& tick : plotTicks(look.x, most)) {
-    const float place = x(tick.value), width = plotTextWidth(tick.label, true);
+    const float place = x(tick.value), width = plotTextWidth(tick.text, true);
     list->AddLine(ImVec2(place, look.gridX ? low_.y : high_.y), ImVec2(place, high_.y + unit(3)), packed(uiColour(UiColour::line)), 1.0f);
     const float left = std::min(place - 0.5f * width, high_.x + unit(6) - width);
     if (left < free) continue;
-    plotText(ImVec2(left, high_.y + unit(3)), tick.label, uiColour(UiColour::dim), true);
+    plotText(ImVec2(left, high_.y + unit(3)), tick.text, uiColour(UiColour::dim), true);
     free = left + width + unit(8);
   }
 }

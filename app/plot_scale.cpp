@@ -39,35 +39,8 @@ std::string plotNumber(double value) {
   return printed("%.3g", value);
 }
 
-static std::vector<PlotTick> linearTicks(const PlotScale& scale, int most) {
-  const double step = roundStep((scale.high - scale.low) / std::max(1, most - 1));
-  std::vector<PlotTick> ticks;
-  for (int64_t index = std::llround(std::ceil(scale.low / step - 1e-9)); double(index) * step <= scale.high + 1e-9 * step; ++index)
-    ticks.push_back({double(index) * step, plotNumber(double(index) * step)});
-  return ticks;
-}
-
-static std::vector<PlotTick> logarithmicTicks(const PlotScale& scale, const std::vector<double>& factors, int everyTen) {
-  std::vector<PlotTick> ticks;
-  const int first = static_cast<int>(std::floor(std::log10(scale.low) + 1e-9)), last = static_cast<int>(std::ceil(std::log10(scale.high) - 1e-9));
-  for (int ten = first; ten <= last; ten += everyTen)
-    for (const double factor : factors) {
-      const double value = factor * std::pow(10.0, ten);
-      if (value >= scale.low * (1.0 - 1e-9) && value <= scale.high * (1.0 + 1e-9)) ticks.push_back({value, plotNumber(value)});
-    }
-  return ticks;
-}
-
 std::vector<PlotTick> plotTicks(const PlotScale& scale, int most) {
-  if (!scale.logarithmic) return linearTicks(scale, most);
-  for (const std::vector<double>& factors : {std::vector<double>{1.0, 2.0, 5.0}, std::vector<double>{1.0, 3.0}}) {
-    std::vector<PlotTick> ticks = logarithmicTicks(scale, factors, 1);
-    if (int(ticks.size()) <= most) return ticks;
-  }
-  for (int everyTen = 1;; ++everyTen) {
-    std::vector<PlotTick> ticks = logarithmicTicks(scale, {1.0}, everyTen);
-    if (int(ticks.size()) <= std::max(2, most)) return ticks;
-  }
+  return axisTicks({.title = "", .low = scale.low, .high = scale.high, .logarithmic = scale.logarithmic}, most);
 }
 
 }  // namespace gridscope

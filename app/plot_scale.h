@@ -4,12 +4,9 @@
 #include <string>
 #include <vector>
 
-namespace gridscope {
+#include "views/plot.h"
 
-struct PlotTick {
-  double value;
-  std::string label;
-};
+namespace gridscope {
 
 struct PlotScale {
   double low = 0.0;
@@ -26,7 +23,7 @@ PlotScale scaleFromZero(double highest);
 // Powers of ten around all values that count: [lowest, highest], both above 0.
 PlotScale scaleOfTens(double lowest, double highest);
 
-// At most `most` ticks at 1, 2 or 5 times a power of ten; on a logarithmic scale at powers of ten, then 1 and 3 times these where that fits.
+// At most `most` ticks, as drawn plots have them.
 std::vector<PlotTick> plotTicks(const PlotScale& scale, int most);
 
 // "1,200", "0.05", "2.5".

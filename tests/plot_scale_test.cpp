@@ -14,7 +14,7 @@ namespace {
 
 std::vector<std::string> labels(const PlotScale& scale, int most) {
   std::vector<std::string> texts;
-  for (const PlotTick& tick : plotTicks(scale, most)) texts.push_back(tick.label);
+  for (const PlotTick& tick : plotTicks(scale, most)) texts.push_back(tick.text);
   return texts;
 }
 
