@@ -1,6 +1,8 @@
 // gridscope explain: every ray of a frame beside the exact answer: verdicts, causes, and with --verify their proof.
 #include <algorithm>
 #include <chrono>
+#include <cstring>
+#include <memory>
 #include <mutex>
 
 #include "app/commands.h"
@@ -39,6 +41,17 @@ std::optional<uint32_t> pixelOf(const Options& options, const FrameSettings& set
   return y * settings.width + x;
 }
 
+// A capture's own hits are what is explained. Returns how many of them are not what the trace has just ended with: another engine's, say.
+uint64_t useCapturedHits(Session& session) {
+  if (!session.capture() || session.capture()->frames.front().hits.empty()) return 0;
+  const std::vector<Hit>& captured = session.capture()->frames.front().hits;
+  const std::vector<Hit> traced = session.pipeline().hits();
+  uint64_t different = 0;
+  for (size_t i = 0; i < traced.size(); ++i) different += std::memcmp(&traced[i], &captured[i], sizeof(Hit)) != 0 ? 1 : 0;
+  session.pipeline().useHits(captured);
+  return different;
+}
+
 ExplainReport makeReport(const Options& options, Session& session, Progress& progress) {
   Pipeline& pipeline = session.pipeline();
   ExplainReport report;
@@ -73,6 +86,7 @@ int runExplain(const Options& options) {
   session.update(0);
   session.makeRays(0);
   pipeline.trace(false);
+  const uint64_t foreign = useCapturedHits(session);
 
   const ExplainReport report = makeReport(options, session, progress);
   progress.clear();
@@ -80,8 +94,10 @@ int runExplain(const Options& options) {
   const CaptureNames names = session.names();
   std::FILE* out = textStream(options);
   const FrameSettings& settings = pipeline.settings();
+  const char* traversal = pipeline.parameters().trace.traversal == kTraversalDda ? "dda" : "segment";
   std::fprintf(out, "%s, %u x %u rays, %s, %s on %s\n\n", session.scene().name.c_str(), settings.width, settings.height,
-               gridText(pipeline.parameters().grid).c_str(), pipeline.parameters().trace.traversal == kTraversalDda ? "dda" : "segment", session.deviceName().c_str());
+               gridText(pipeline.parameters().grid).c_str(), traversal, session.deviceName().c_str());
+  if (foreign > 0) std::fprintf(out, "%s of the capture's hits are not what this trace ends with\n\n", grouped(foreign).c_str());
   printExplain(out, report, names);
   nlohmann::ordered_json json = explainJson(report, names);
   if (pixel) {
@@ -93,7 +109,8 @@ int runExplain(const Options& options) {
   json["size"] = {settings.width, settings.height};
   json["scene"] = sceneJson(session);
   json["grid"] = gridJson(pipeline.parameters().grid);
-  json["traversal"] = pipeline.parameters().trace.traversal == kTraversalDda ? "dda" : "segment";
+  json["traversal"] = traversal;
+  if (session.capture()) json["foreignHits"] = foreign;
   writeJson(options, json);
   return session.validationMessages() > 0 ? kExitDifferent : kExitDone;
 }

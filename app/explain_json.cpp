@@ -21,7 +21,8 @@ Json groupsJson(std::span<const GroupLoss> groups, const std::vector<std::string
   for (size_t i : worstOf(groups, kMostRows)) {
     const GroupLoss& group = groups[i];
     Json verdicts;
-    for (uint32_t verdict = kVerdictHole; verdict < kVerdictCount; ++verdict) verdicts[std::string(verdictName(verdict).key)] = group.verdicts[verdict];
+    for (uint32_t verdict = kVerdictHole; verdict < kVerdictCount; ++verdict)
+      verdicts[std::string(verdictName(verdict).key)] = group.verdicts[verdict];
     list.push_back({{"index", group.index}, {"name", nameOf(names, group.index)}, {"rays", group.rays}, {"stored", group.stored},
                     {"lost", group.lost}, {"triangles", group.triangles}, {"verdicts", verdicts}});
   }
@@ -32,15 +33,16 @@ Json worstCellsJson(const Ledger& ledger) {
   Json list = Json::array();
   for (size_t i : worstOf(ledger.cells, kMostRows)) {
     const CellLoss& cell = ledger.cells[i];
-    list.push_back({{"cell", cellJson(cell.cell)}, {"rays", cell.rays}, {"tried", cell.tried}, {"stored", cell.stored}, {"refused", cell.refused}});
+    list.push_back({{"cell", cellJson(cell.cell)}, {"rays", cell.rays}, {"tried", cell.tried}, {"stored", cell.stored},
+                    {"refused", cell.refused}});
   }
   return list;
 }
 
 Json rayJson(const ExplainReport& report, uint32_t ray) {
   const RayTruth& truth = report.frame.truths[ray];
-  return {{"pixel", {ray % report.width, ray / report.width}}, {"verdict", verdictName(truth.verdict).key}, {"cause", causeName(truth.cause).key},
-          {"off", distanceOff(report.frame, ray)}, {"cell", cellJson(truth.cell)}, {"reference", truth.reference},
+  return {{"pixel", {ray % report.width, ray / report.width}}, {"verdict", verdictName(truth.verdict).key},
+          {"cause", causeName(truth.cause).key}, {"off", distanceOff(report.frame, ray)}, {"cell", cellJson(truth.cell)}, {"reference", truth.reference},
           {"exactReference", truth.exactReference}, {"exactT", truth.exactT}, {"segment", truth.segment}};
 }
 
@@ -55,7 +57,8 @@ void addProofs(Json& json, const ProofTotals& proofs) {
   json["confirmedShare"] = sum.total == 0 ? 1.0 : double(sum.alone + sum.chain) / double(sum.total);
   json["aloneShare"] = sum.total == 0 ? 1.0 : double(sum.alone) / double(sum.total);
   json["control"] = {{"confirmed", sum.controlConfirmed}, {"total", sum.controlTotal},
-                     {"share", sum.controlTotal == 0 ? 0.0 : double(sum.controlConfirmed) / double(sum.controlTotal)}, {"causes", controls}};
+                     {"share", sum.controlTotal == 0 ? 0.0 : double(sum.controlConfirmed) / double(sum.controlTotal)},
+                     {"causes", controls}};
   json["mostLinks"] = proofs.mostLinks;
   json["notConfirmed"] = proofs.notConfirmed.size();
 }
@@ -68,7 +71,8 @@ Json explainJson(const ExplainReport& report, const CaptureNames& names) {
   Json json = {{"rays", totals.rays}, {"wrong", totals.wrong()}, {"agree", {{"hit", totals.agreeHit}, {"miss", totals.agreeMiss}}}};
   for (uint32_t verdict = kVerdictHole; verdict < kVerdictCount; ++verdict)
     json["verdicts"][std::string(verdictName(verdict).key)] = totals.verdicts[verdict];
-  for (uint32_t cause = kCauseRefused; cause < kCauseCount; ++cause) json["causes"][std::string(causeName(cause).key)] = totals.causes[cause];
+  for (uint32_t cause = kCauseRefused; cause < kCauseCount; ++cause)
+    json["causes"][std::string(causeName(cause).key)] = totals.causes[cause];
   if (report.proofs) addProofs(json, *report.proofs);
   json["references"] = {{"tried", report.tried}, {"stored", report.grid.stored()}, {"refused", report.grid.refused()}};
   json["cells"] = {{"occupied", cells.occupied}, {"saturated", cells.saturated}, {"maxDemand", cells.maxDemand}};

@@ -25,7 +25,8 @@ void printVerdicts(std::FILE* out, const TruthTotals& totals) {
 }
 
 std::vector<std::string> proofCells(const ProofTotals::Count& count) {
-  return {grouped(count.alone), grouped(count.chain), grouped(count.total - count.alone - count.chain), percentOf(count.controlConfirmed, count.controlTotal)};
+  return {grouped(count.alone), grouped(count.chain), grouped(count.total - count.alone - count.chain),
+          percentOf(count.controlConfirmed, count.controlTotal)};
 }
 
 void printCauses(std::FILE* out, const ExplainReport& report) {
@@ -36,7 +37,8 @@ void printCauses(std::FILE* out, const ExplainReport& report) {
   table.add(head);
   for (uint32_t cause = kCauseRefused; cause < kCauseCount; ++cause) {
     if (totals.causes[cause] == 0) continue;
-    std::vector<std::string> row = {std::string(causeName(cause).title), grouped(totals.causes[cause]), percentOf(totals.causes[cause], totals.differ())};
+    std::vector<std::string> row = {std::string(causeName(cause).title), grouped(totals.causes[cause]),
+                                    percentOf(totals.causes[cause], totals.differ())};
     if (!report.proofs) row.push_back(std::string(causeName(cause).about));
     else for (std::string& text : proofCells(report.proofs->causes[cause])) row.push_back(std::move(text));
     table.add(row);
@@ -48,7 +50,8 @@ void printCauses(std::FILE* out, const ExplainReport& report) {
   table.print(out);
   if (report.proofs) {
     const ProofTotals::Count proven = report.proofs->sum();
-    std::fprintf(out, "%s of the causes confirmed, %s alone; the longest chain has %s links. Control: another ray's event removed instead.\n",
+    std::fprintf(out,
+                 "%s of the causes confirmed, %s alone; the longest chain has %s links. Control: another ray's event removed instead.\n",
                  percentOf(proven.alone + proven.chain, proven.total).c_str(), percentOf(proven.alone, proven.total).c_str(),
                  grouped(report.proofs->mostLinks).c_str());
   }
@@ -60,8 +63,9 @@ void printMeshes(std::FILE* out, const ExplainReport& report, const CaptureNames
   for (size_t i : worstOf(report.ledger.meshes, kMostRows)) {
     const GroupLoss& mesh = report.ledger.meshes[i];
     const bool named = mesh.index < names.meshes.size() && !names.meshes[mesh.index].empty();
-    table.add({grouped(mesh.rays), percentOf(mesh.rays, report.frame.totals.rays), named ? names.meshes[mesh.index] : printed("mesh %u", mesh.index),
-               grouped(mesh.triangles), grouped(mesh.stored + mesh.lost), grouped(mesh.lost), percentOf(mesh.lost, mesh.stored + mesh.lost)});
+    table.add({grouped(mesh.rays), percentOf(mesh.rays, report.frame.totals.rays),
+               named ? names.meshes[mesh.index] : printed("mesh %u", mesh.index), grouped(mesh.triangles), grouped(mesh.stored + mesh.lost),
+               grouped(mesh.lost), percentOf(mesh.lost, mesh.stored + mesh.lost)});
   }
   table.print(out);
 }
@@ -71,8 +75,8 @@ void printCells(std::FILE* out, const ExplainReport& report) {
   table.add({"rays", "", "cell", "tried", "stored", "refused"});
   for (size_t i : worstOf(report.ledger.cells, kMostRows)) {
     const CellLoss& cell = report.ledger.cells[i];
-    table.add({grouped(cell.rays), percentOf(cell.rays, report.frame.totals.rays), cellText(cell.cell), grouped(cell.tried), grouped(cell.stored),
-               grouped(cell.refused)});
+    table.add({grouped(cell.rays), percentOf(cell.rays, report.frame.totals.rays), cellText(cell.cell), grouped(cell.tried),
+               grouped(cell.stored), grouped(cell.refused)});
   }
   table.print(out);
 }
@@ -97,8 +101,8 @@ std::vector<StoryPart> tellRay(const ExplainReport& report, const CaptureNames& 
   const TruthInput input = frame.input();
   std::optional<Proof> proof;
   if (report.proofs) proof = proveRay(input, frame.rays[pixel], frame.exact[pixel], frame.truths[pixel]);
-  return tellPixel({.truth = input, .names = names, .pixel = pixel, .width = report.width, .ray = frame.rays[pixel], .traced = frame.hits[pixel],
-                    .exact = frame.exact[pixel], .told = frame.truths[pixel], .proof = proof ? &*proof : nullptr});
+  return tellPixel({.truth = input, .names = names, .pixel = pixel, .width = report.width, .ray = frame.rays[pixel],
+                    .traced = frame.hits[pixel], .exact = frame.exact[pixel], .told = frame.truths[pixel], .proof = proof ? &*proof : nullptr});
 }
 
 void printExplain(std::FILE* out, const ExplainReport& report, const CaptureNames& names) {

@@ -35,7 +35,8 @@ class StoryWriter {
     return add({.kind = StoryPart::Kind::mesh, .text = meshText(scene(), input_.names, reference), .reference = reference});
   }
   StoryWriter& triangle(uint32_t reference) {
-    const std::string name = known(reference) ? printed("triangle %u", nameTriangle(scene(), reference).triangle) : printed("0x%08X", reference);
+    const std::string name =
+        known(reference) ? printed("triangle %u", nameTriangle(scene(), reference).triangle) : printed("0x%08X", reference);
     add({.kind = StoryPart::Kind::triangle, .text = name, .reference = reference});
     return known(reference) ? text(" of ").mesh(reference) : text(", which is no triangle of the scene");
   }
@@ -79,13 +80,15 @@ struct Teller {
 
   void tellEnd() {
     if (input.traced.kind == kHitTriangle || input.traced.kind == kHitVoxel) {
-      story.text(input.traced.kind == kHitVoxel ? "The ray ends with a voxel hit, painted with " : "The ray hits ").triangle(input.traced.reference);
+      story.text(input.traced.kind == kHitVoxel ? "The ray ends with a voxel hit, painted with " : "The ray hits ");
+      story.triangle(input.traced.reference);
       story.text(", ").number(edgesText(inEdges(input.traced.t))).text(" along the ray");
       if (input.exact.kind == kHitTriangle && told.verdict != kVerdictAgrees)
         story.text(": ").number(edgesText(std::abs(told.error))).text(told.error < 0.0f ? " too near" : " too far");
       story.text(".").end();
     } else {
-      story.text(input.traced.kind == kHitLimit ? "The limit of segments ends the ray." : "The ray meets nothing and leaves the grid.").end();
+      const bool limit = input.traced.kind == kHitLimit;
+      story.text(limit ? "The limit of segments ends the ray." : "The ray meets nothing and leaves the grid.").end();
     }
   }
 
@@ -113,20 +116,24 @@ struct Teller {
     const vec2 stay = cellStay(grid.parameters, input.ray, cell);
     const float edge = grid.parameters.cellEdge;
     const int before = int(std::floor(stay.x / edge)), after = before + 1;
-    const ivec3 from = gridCell(grid.parameters, rayPoint(input.ray, float(before) * edge)), to = gridCell(grid.parameters, rayPoint(input.ray, float(after) * edge));
+    const ivec3 from = gridCell(grid.parameters, rayPoint(input.ray, float(before) * edge));
+    const ivec3 to = gridCell(grid.parameters, rayPoint(input.ray, float(after) * edge));
     const ivec3 crossed = glm::abs(to - from);
     const int faces = (crossed.x != 0) + (crossed.y != 0) + (crossed.z != 0);
     story.text("The ray is in that cell for ").number(edgesText(inEdges(std::max(stay.y - stay.x, 0.0f)))).text(" only: ");
     story.step(before, from).text(" starts before it in ").cell(from).text(", ").step(after, to).text(" behind it in ").cell(to);
-    story.text(faces >= 3 ? "; a corner was cut." : faces == 2 ? "; an edge of the cell was cut." : "; it was crossed from face to face.").end();
+    story.text(faces >= 3 ? "; a corner was cut." : faces == 2 ? "; an edge of the cell was cut." : "; it was crossed from face to face.");
+    story.end();
   }
 
   // How far the ray was from its launching surface, beside the gate.
   void tellGate() {
     const RayRecord record = recordRay(truth.trace, input.ray);
-    const auto step = std::ranges::find_if(record.steps, [&](const StepRecord& one) { return one.segment == told.segment && one.cell == told.cell; });
+    const auto isTold = [&](const StepRecord& one) { return one.segment == told.segment && one.cell == told.cell; };
+    const auto step = std::ranges::find_if(record.steps, isTold);
     if (step == record.steps.end()) return;
-    story.text("There the ray was ").number(edgesText(inEdges(step->travel))).text(" from the plane of the surface that it left; gaps are filled beyond ");
+    story.text("There the ray was ").number(edgesText(inEdges(step->travel)));
+    story.text(" from the plane of the surface that it left; gaps are filled beyond ");
     story.number(edgesText(inEdges(truth.trace.parameters.gate))).text(".").end();
   }
 
@@ -145,7 +152,8 @@ struct Teller {
   void tellProof() {
     if (!input.proof || input.proof->links.empty()) return;
     const std::vector<ProofLink>& links = input.proof->links;
-    if (input.proof->confirmed && links.size() == 1) return void(story.text("Proof: traced again without that event alone, the ray agrees.").end());
+    if (input.proof->confirmed && links.size() == 1)
+      return void(story.text("Proof: traced again without that event alone, the ray agrees.").end());
     story.text(input.proof->confirmed ? "Proof: without these events, one after the other, the ray agrees: "
                                       : "Not confirmed: even without these events the ray does not agree: ");
     for (size_t i = 0; i < std::min(links.size(), kMostLinksTold); ++i) {

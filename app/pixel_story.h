@@ -1,5 +1,6 @@
-// One pixel's whole story in sentences: what its ray should have met, what it met, which event made the difference, and how that was proven. The
-// story is a list of parts, so that a window can make links of the names of meshes, triangles, cells and steps, and a terminal plain text.
+// One pixel's whole story in sentences: what its ray should have met, what it met, which event made the difference, and how that was
+// proven. The story is a list of parts, so that a window can make links of the names of meshes, triangles, cells and steps, and a
+// terminal plain text.
 #pragma once
 
 #include <optional>

@@ -1,5 +1,5 @@
-// See exact.h. Triangles are Embree's user geometry: its hierarchy proposes the triangles whose padded boxes a ray meets, the trace's own test
-// decides. So no candidate is lost where Embree's arithmetic and the trace's differ in the last bit.
+// See exact.h. Triangles are Embree's user geometry: its hierarchy proposes the triangles whose padded boxes a ray meets, the trace's own
+// test decides. So no candidate is lost where Embree's arithmetic and the trace's differ in the last bit.
 // Source: Wald, Woop, Benthin, Johnson and Ernst, Embree: A Kernel Framework for Efficient CPU Ray Tracing, 2014.
 #include "core/exact.h"
 
@@ -33,7 +33,8 @@ struct Query {
 };
 
 [[noreturn]] void failEmbree(RTCDevice device, const char* call) {
-  throw Error(std::string("exact reference: ") + call + " failed in Embree, error " + std::to_string(int(rtcGetDeviceError(device))), kExitDevice);
+  const int error = int(rtcGetDeviceError(device));
+  throw Error(std::string("exact reference: ") + call + " failed in Embree, error " + std::to_string(error), kExitDevice);
 }
 
 }  // namespace
@@ -78,9 +79,9 @@ void ExactReference::Parts::listPrimitives() {
   padding = kBoxPadding * std::max(largest.x, std::max(largest.y, largest.z));
 }
 
-// The trace's own test, tMin and alpha keying. Of equal distances the smaller reference, in whatever order they are offered. Embree is never told
-// how near a hit is, and offers every box along the ray: the distance of a triangle that the ray nearly runs along is rounding, and may lie
-// anywhere, before its box too.
+// The trace's own test, tMin and alpha keying. Of equal distances the smaller reference, in whatever order they are offered. Embree is
+// never told how near a hit is, and offers every box along the ray: the distance of a triangle that the ray nearly runs along is rounding,
+// and may lie anywhere, before its box too.
 void ExactReference::Parts::offer(Query& query, uint32_t primitive) const {
   const Triangle& triangle = triangleOf(primitive);
   const uint32_t reference = references[primitive];
@@ -94,7 +95,8 @@ void ExactReference::Parts::offer(Query& query, uint32_t primitive) const {
 
 void ExactReference::Parts::bound(uint32_t primitive, RTCBounds& bounds) const {
   const Triangle& triangle = triangleOf(primitive);
-  const vec3 low = min(triangle.a, min(triangle.b, triangle.c)) - padding, high = max(triangle.a, max(triangle.b, triangle.c)) + padding;
+  const vec3 low = min(triangle.a, min(triangle.b, triangle.c)) - padding;
+  const vec3 high = max(triangle.a, max(triangle.b, triangle.c)) + padding;
   bounds.lower_x = low.x, bounds.lower_y = low.y, bounds.lower_z = low.z;
   bounds.upper_x = high.x, bounds.upper_y = high.y, bounds.upper_z = high.z;
 }

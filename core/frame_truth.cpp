@@ -59,8 +59,9 @@ float distanceOff(const FrameTruth& frame, uint32_t ray) {
   const GridParameters& grid = frame.grid.parameters;
   float leave = kFar;
   for (int axis = 0; axis < 3; ++axis) {
-    const float face = gridFace(grid, axis, frame.rays[ray].direction[axis] > 0.0f ? grid.cellCount[axis] : 0);
-    if (std::abs(frame.rays[ray].direction[axis]) > kTiny) leave = std::min(leave, (face - frame.rays[ray].origin[axis]) / frame.rays[ray].direction[axis]);
+    const float direction = frame.rays[ray].direction[axis];
+    const float face = gridFace(grid, axis, direction > 0.0f ? grid.cellCount[axis] : 0);
+    if (std::abs(direction) > kTiny) leave = std::min(leave, (face - frame.rays[ray].origin[axis]) / direction);
   }
   return std::abs(leave - (surface ? exact.t : hit.t)) / grid.cellEdge;
 }

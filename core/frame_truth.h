@@ -35,8 +35,8 @@ FrameTruth tellFrame(Pipeline& pipeline, const TruthProgress& progress = {});
 // Proves the causes of a frame's rays.
 ProofTotals proveFrame(const FrameTruth& frame, const TruthProgress& progress = {});
 
-// How far the end of a ray is from where it should be, cell edges: where one of the two hits is missing, from the other to where the ray leaves the
-// grid. 0 for rays that agree.
+// How far the end of a ray is from where it should be, cell edges: where one of the two hits is missing, from the other to where the ray
+// leaves the grid. 0 for rays that agree.
 float distanceOff(const FrameTruth& frame, uint32_t ray);
 
 // The `count` wrong rays whose ends are farthest off, the worst first.

@@ -192,7 +192,8 @@ AlphaRead readAlpha(const TraceInput& input, const Ray& ray, const Hit& hit) {
 vec2 cellStay(const GridParameters& grid, const Ray& ray, ivec3 cell) {
   double low = 0.0, high = kFar;
   for (int axis = 0; axis < 3; ++axis) {
-    const double first = double(gridFace(grid, axis, cell[axis])) - ray.origin[axis], second = double(gridFace(grid, axis, cell[axis] + 1)) - ray.origin[axis];
+    const double first = double(gridFace(grid, axis, cell[axis])) - ray.origin[axis];
+    const double second = double(gridFace(grid, axis, cell[axis] + 1)) - ray.origin[axis];
     if (std::abs(ray.direction[axis]) < kTiny) continue;
     low = std::max(low, std::min(first / ray.direction[axis], second / ray.direction[axis]));
     high = std::min(high, std::max(first / ray.direction[axis], second / ray.direction[axis]));
@@ -211,7 +212,7 @@ TruthEvent findEvent(const TruthInput& input, const Ray& ray, const RayRecord& r
 
 TruthEvent findForeignEvent(const TruthInput& input, const Ray& ray, const Hit& traced, const Hit& exact) {
   const GridParameters& grid = input.trace.grid.parameters;
-  const auto atHit = [&](uint32_t cause, const Hit& hit) { return TruthEvent{cause, gridCell(grid, rayPoint(ray, hit.t)), hit.reference, -1}; };
+  const auto atHit = [&](uint32_t cause, const Hit& hit) { return TruthEvent{cause, hitCell(grid, ray, hit), hit.reference, -1}; };
 
   // A hit that this trace would not accept.
   if (traced.kind == kHitTriangle) {

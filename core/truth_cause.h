@@ -1,4 +1,5 @@
-// Finds the first event that makes a ray differ from the exact answer, in the record of its trace. TRUTH.md says what counts as which event.
+// Finds the first event that makes a ray differ from the exact answer, in the record of its trace. TRUTH.md says what counts as which
+// event.
 #pragma once
 
 #include "core/truth.h"

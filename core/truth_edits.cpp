@@ -96,7 +96,8 @@ void addEdit(Edits& edits, const Grid& grid, const TruthEvent& event) {
   }
 class EditedTrace : public TraceLoads {
  public:
-  EditedTrace(const TraceInput& input, const Ray& ray, const Edits& edits) : TraceLoads(input), grid_(input.grid.parameters), edits_(edits) {
+  EditedTrace(const TraceInput& input, const Ray& ray, const Edits& edits)
+      : TraceLoads(input), grid_(input.grid.parameters), edits_(edits) {
     for (const ivec3& cell : edits_.inserted) inserts_.push_back({cell, cellStay(grid_, ray, cell).x, false});
   }
 
@@ -111,7 +112,8 @@ class EditedTrace : public TraceLoads {
       uint alphaByte;
       if (test.verdict != kTestHit || gridContains(grid_, gridCell(grid_, rayPoint(ray, test.t)))) continue;
       if (best.kind == kHitTriangle && test.t >= best.t) continue;
-      if (alphaPasses(reference, triangle, rayPoint(ray, test.t), alphaByte)) best = finishHit(ray, makeHit(kHitTriangle, test.t, reference));
+      if (!alphaPasses(reference, triangle, rayPoint(ray, test.t), alphaByte)) continue;
+      best = finishHit(ray, makeHit(kHitTriangle, test.t, reference));
     }
     return best;
   }

@@ -1,5 +1,5 @@
-// A trace without some of its events: the same traversal, in which a cell shows a reference that it refused, a gap is not filled, a cell is asked
-// once more. The exact hit is no input of it.
+// A trace without some of its events: the same traversal, in which a cell shows a reference that it refused, a gap is not filled, a cell is
+// asked once more. The exact hit is no input of it.
 #pragma once
 
 #include <span>

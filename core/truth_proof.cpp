@@ -101,7 +101,8 @@ ProofTotals proveFrame(const TruthInput& input, std::span<const Hit> exact, std:
       if (other == ray) other = others.back();
       const TruthEvent drawn = eventOf(truths[other]);
       proofs[i].controlled = true;
-      proofs[i].controlConfirmed = judge(recordWithout(input.trace, rays[ray], {&drawn, 1}).hit, exact[ray], input.trace.grid.parameters) == kVerdictAgrees;
+      const Hit hit = recordWithout(input.trace, rays[ray], {&drawn, 1}).hit;
+      proofs[i].controlConfirmed = judge(hit, exact[ray], input.trace.grid.parameters) == kVerdictAgrees;
     }
     done += end - begin;
     if (progress && !progress(float(done) / float(todo.size()))) abandoned = true;

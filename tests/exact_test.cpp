@@ -1,5 +1,5 @@
-// The exact reference: the same distance and the same reference, to the bit, as the test of every triangle, on scenes that are awkward for a
-// hierarchy of boxes.
+// The exact reference: the same distance and the same reference, to the bit, as the test of every triangle, on scenes that are awkward for
+// a hierarchy of boxes.
 #include "core/exact.h"
 
 #include <gtest/gtest.h>
@@ -80,7 +80,8 @@ TEST(Exact, RaysThroughSharedEdgesAndAlongFlatFloorsFindTheSame) {
   std::vector<Triangle> triangles;
   for (int x = 0; x < 12; ++x)
     for (int z = 0; z < 12; ++z) {
-      const vec3 a(float(x), 0.0f, float(z)), b(float(x + 1), 0.0f, float(z)), c(float(x), 0.0f, float(z + 1)), d(float(x + 1), 0.0f, float(z + 1));
+      const vec3 a(float(x), 0.0f, float(z)), b(float(x + 1), 0.0f, float(z));
+      const vec3 c(float(x), 0.0f, float(z + 1)), d(float(x + 1), 0.0f, float(z + 1));
       triangles.push_back({a, b, c});
       triangles.push_back({d, c, b});
       triangles.push_back({a + vec3(0.0f, 1.0f, 0.0f), b, c + vec3(0.0f, 1.0f, 0.0f)});

@@ -13,8 +13,8 @@ namespace {
 std::vector<StoryPart> storyOf(const ToldScene& told, const CaptureNames& names, bool proven = true) {
   const TruthInput input = told.input();
   const Proof proof = proveRay(input, told.rays[0], told.exact[0], told.truths[0]);
-  return tellPixel({.truth = input, .names = names, .pixel = 0, .width = 5, .ray = told.rays[0], .traced = told.hits[0], .exact = told.exact[0],
-                    .told = told.truths[0], .proof = proven ? &proof : nullptr});
+  return tellPixel({.truth = input, .names = names, .pixel = 0, .width = 5, .ray = told.rays[0], .traced = told.hits[0],
+                    .exact = told.exact[0], .told = told.truths[0], .proof = proven ? &proof : nullptr});
 }
 
 TruthScene refusedScene() {
@@ -29,8 +29,9 @@ const CaptureNames kNames{.scene = "test", .meshes = {"clutter", "panel"}, .inst
 TEST(PixelStory, ARefusedSurfaceIsToldWithItsCellAndWhatHoldsTheSlots) {
   const ToldScene told(refusedScene());
   const std::string text = plainText(storyOf(told, kNames));
-  for (const char* piece : {"Pixel (0, 0): voxel right, refused in cell (6, 3, 3); the surface is triangle 0 of panel.", "5 cell edges along the ray", "step 5",
-                            "asked to take 4 references, holds 2 and refused 2", "Its slots hold 2 of clutter.", "without that event alone, the ray agrees"})
+  for (const char* piece : {"Pixel (0, 0): voxel right, refused in cell (6, 3, 3); the surface is triangle 0 of panel.",
+                            "5 cell edges along the ray", "step 5", "asked to take 4 references, holds 2 and refused 2",
+                            "Its slots hold 2 of clutter.", "without that event alone, the ray agrees"})
     EXPECT_NE(text.find(piece), std::string::npos) << piece << "\n" << text;
 }
 
@@ -49,7 +50,8 @@ TEST(PixelStory, AGateIsToldWithTheWayFromTheLaunchingSurfaceAndItsProofAsAChain
   TruthScene scene = refusedScene();
   scene.rays = rayBundle(vec3(0.0f, 1.0f, 0.0f));
   const std::string text = plainText(storyOf(ToldScene(scene), kNames));
-  for (const char* piece : {"hole, gate in cell", "leaves the grid", "0 cell edges from the plane", "beyond 1.75 cell edges", "one after the other, the ray agrees: gate in cell"})
+  for (const char* piece : {"hole, gate in cell", "leaves the grid", "0 cell edges from the plane", "beyond 1.75 cell edges",
+                            "one after the other, the ray agrees: gate in cell"})
     EXPECT_NE(text.find(piece), std::string::npos) << piece << "\n" << text;
 }
 

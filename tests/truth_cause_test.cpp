@@ -30,6 +30,12 @@ Scene sceneWithClutter(const std::vector<Triangle>& clutter, const std::vector<T
   return scene;
 }
 
+// An upright blade: `across` is half of its width.
+Triangle bladeAt(const vec3& middle, const vec3& across) {
+  const vec3 up(0.0f, 0.3f, 0.0f);
+  return {middle - across - up, middle + across - up, middle + up};
+}
+
 // Takes a reference out of a cell and closes the gap.
 void removeReference(Grid& grid, ivec3 cell, uint32_t reference) {
   std::vector<uint32_t> stored = storedIn(grid, cell);
@@ -76,7 +82,7 @@ TEST(TruthCause, SteppedOverWhenNoSegmentStartsInTheCellOfTheHit) {
   // Along the diagonal, 0.05 edges off the corner line: the ray is in cell x 3, z 2 for 0.07 edges around s = 3.57.
   const vec3 direction = glm::normalize(vec3(1.0f, 0.0f, 1.0f)), across = vec3(0.011f, 0.0f, -0.011f);
   const vec3 middle = vec3(0.5f, 2.5f, 0.45f) + 3.57f * direction;
-  TruthScene scene{.scene = sceneWithClutter({}, {{middle - across - vec3(0.0f, 0.3f, 0.0f), middle + across - vec3(0.0f, 0.3f, 0.0f), middle + vec3(0.0f, 0.3f, 0.0f)}})};
+  TruthScene scene{.scene = sceneWithClutter({}, {bladeAt(middle, across)})};
   for (int i = 0; i < 9; ++i) scene.rays.push_back(makeRay(vec3(0.5f, 2.3f + 0.02f * float(i), 0.45f), direction));
   expectCause(scene, kCauseSteppedOver, kVerdictHole);
 }
@@ -85,7 +91,7 @@ TEST(TruthCause, RevisitWhenTheSegmentThatReachesTheHitIsSkipped) {
   // Along the diagonal through the cells' corners, 1.4 edges in each: segments 3 and 4 start in the cell x 2, z 2.
   const vec3 direction = glm::normalize(vec3(1.0f, 0.0f, 1.0f)), across = vec3(0.01f, 0.0f, -0.01f);
   const vec3 middle = vec3(0.1f, 2.5f, 0.1f) + 4.075f * direction;
-  TruthScene scene{.scene = sceneWithClutter({}, {{middle - across - vec3(0.0f, 0.3f, 0.0f), middle + across - vec3(0.0f, 0.3f, 0.0f), middle + vec3(0.0f, 0.3f, 0.0f)}})};
+  TruthScene scene{.scene = sceneWithClutter({}, {bladeAt(middle, across)})};
   for (int i = 0; i < 9; ++i) scene.rays.push_back(makeRay(vec3(0.1f, 2.3f + 0.02f * float(i), 0.1f), direction));
   scene.trace.ahead = 0.05f;
   expectCause(scene, kCauseRevisit, kVerdictHole);
@@ -106,7 +112,8 @@ TEST(TruthCause, AcceptedEarlyWhenTheElongatedSegmentBeforeMeetsAFartherTriangle
 }
 
 TEST(TruthCause, GateWhenTheGapOfTheCellOfTheHitIsHeldBack) {
-  TruthScene scene{.scene = sceneWithClutter(clutterAt(5.0f), {panelAt(5.5f)}), .rays = rayBundle(vec3(0.0f, 1.0f, 0.0f)), .grid = unitCells(2)};
+  TruthScene scene{.scene = sceneWithClutter(clutterAt(5.0f), {panelAt(5.5f)}), .grid = unitCells(2)};
+  scene.rays = rayBundle(vec3(0.0f, 1.0f, 0.0f));
   expectCause(scene, kCauseGate, kVerdictHole);
   scene.trace.traversal = kTraversalDda;
   expectCause(scene, kCauseGate, kVerdictHole);
@@ -120,8 +127,8 @@ TEST(TruthCause, FilledEarlyWhenASaturatedCellBeforeTheHitEndsTheRay) {
 }
 
 TEST(TruthCause, FilledEarlyWhereThereIsNoSurfaceAtAll) {
-  const TruthScene scene{.scene = sceneWithClutter(clutterAt(3.0f), {{vec3(7.5f, 0.1f, 0.1f), vec3(7.5f, 0.9f, 0.1f), vec3(7.5f, 0.5f, 0.9f)}}),
-                         .rays = rayBundle(), .grid = unitCells(2)};
+  const Triangle aside{vec3(7.5f, 0.1f, 0.1f), vec3(7.5f, 0.9f, 0.1f), vec3(7.5f, 0.5f, 0.9f)};
+  const TruthScene scene{.scene = sceneWithClutter(clutterAt(3.0f), {aside}), .rays = rayBundle(), .grid = unitCells(2)};
   expectCause(scene, kCauseFilledEarly, kVerdictVoxelWrong);
 }
 
@@ -204,10 +211,11 @@ TruthScene dynamicScene() {
 }
 
 TEST(TruthCause, SteppedOverWhereTheHitLiesOnAFaceAndTheCellBehindItDoesNotWantTheTriangle) {
-  // A floor tile on a face is in the cells above the face alone. Rays meet it in the corner of a cell that they skip; some of the hits round to
-  // just below the face.
+  // A floor tile on a face is in the cells above the face alone. Rays meet it in the corner of a cell that they skip; some of the hits round
+  // to just below the face.
   const vec3 direction = glm::normalize(vec3(1.0f, -1.0f, 1.0f));
-  TruthScene scene{.scene = sceneWithClutter({}, {{vec3(3.001f, 1.0f, 2.93f), vec3(3.07f, 1.0f, 2.999f), vec3(3.001f, 1.0f, 2.999f)}})};
+  const Triangle tile{vec3(3.001f, 1.0f, 2.93f), vec3(3.07f, 1.0f, 2.999f), vec3(3.001f, 1.0f, 2.999f)};
+  TruthScene scene{.scene = sceneWithClutter({}, {tile})};
   for (int i = 0; i < 20; ++i) scene.rays.push_back(makeRay(vec3(0.5f, 3.525f + 1e-4f * float(i), 0.45f), direction));
   const ToldScene told(scene);
   const auto below = std::ranges::count_if(std::views::iota(size_t{0}, told.rays.size()), [&](size_t i) {
@@ -219,7 +227,9 @@ TEST(TruthCause, SteppedOverWhereTheHitLiesOnAFaceAndTheCellBehindItDoesNotWantT
 
 TEST(TruthCause, StaleWhenTheUpdateMissedADynamicReference) {
   TruthScene scene = dynamicScene();
-  scene.damage = [](BuiltScene& built) { removeReference(built.grid, gridCell(built.grid.parameters, vec3(5.5f, 2.5f, 2.5f)), makeReference(1, 0)); };
+  scene.damage = [](BuiltScene& built) {
+    removeReference(built.grid, gridCell(built.grid.parameters, vec3(5.5f, 2.5f, 2.5f)), makeReference(1, 0));
+  };
   expectCause(scene, kCauseStale, kVerdictTooFar);
 }
 
@@ -227,7 +237,9 @@ TEST(TruthCause, StaleWhenTheUpdateLeftADynamicReferenceBehind) {
   // The cell before still holds it: the ray meets it there, and not the static panel just before it in its own cell.
   TruthScene scene = dynamicScene();
   scene.scene.meshes[0] = meshOf({panelAt(5.2f)});
-  scene.damage = [](BuiltScene& built) { appendReference(built.grid, gridCell(built.grid.parameters, vec3(4.5f, 2.5f, 2.5f)), makeReference(1, 0)); };
+  scene.damage = [](BuiltScene& built) {
+    appendReference(built.grid, gridCell(built.grid.parameters, vec3(4.5f, 2.5f, 2.5f)), makeReference(1, 0));
+  };
   expectCause(scene, kCauseStale, kVerdictTooFar);
 }
 

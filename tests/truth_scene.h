@@ -1,5 +1,5 @@
-// Scenes of a few triangles for tests of the truth: unit cells, a bundle of rays along +x at a panel inside one cell; and a scene taken through
-// build, trace, exact hits, causes and proofs.
+// Scenes of a few triangles for tests of the truth: unit cells, a bundle of rays along +x at a panel inside one cell; and a scene taken
+// through build, trace, exact hits, causes and proofs.
 #pragma once
 
 #include <functional>
