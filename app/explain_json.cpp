@@ -42,8 +42,8 @@ Json worstCellsJson(const Ledger& ledger) {
 Json rayJson(const ExplainReport& report, uint32_t ray) {
   const RayTruth& truth = report.frame.truths[ray];
   return {{"pixel", {ray % report.width, ray / report.width}}, {"verdict", verdictName(truth.verdict).key},
-          {"cause", causeName(truth.cause).key}, {"off", distanceOff(report.frame, ray)}, {"cell", cellJson(truth.cell)}, {"reference", truth.reference},
-          {"exactReference", truth.exactReference}, {"exactT", truth.exactT}, {"segment", truth.segment}};
+          {"cause", causeName(truth.cause).key}, {"off", distanceOff(report.frame, ray)}, {"cell", cellJson(truth.cell)},
+          {"reference", truth.reference}, {"exactReference", truth.exactReference}, {"exactT", truth.exactT}, {"segment", truth.segment}};
 }
 
 void addProofs(Json& json, const ProofTotals& proofs) {

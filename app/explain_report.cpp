@@ -102,7 +102,8 @@ std::vector<StoryPart> tellRay(const ExplainReport& report, const CaptureNames& 
   std::optional<Proof> proof;
   if (report.proofs) proof = proveRay(input, frame.rays[pixel], frame.exact[pixel], frame.truths[pixel]);
   return tellPixel({.truth = input, .names = names, .pixel = pixel, .width = report.width, .ray = frame.rays[pixel],
-                    .traced = frame.hits[pixel], .exact = frame.exact[pixel], .told = frame.truths[pixel], .proof = proof ? &*proof : nullptr});
+                    .traced = frame.hits[pixel], .exact = frame.exact[pixel], .told = frame.truths[pixel],
+                    .proof = proof ? &*proof : nullptr});
 }
 
 void printExplain(std::FILE* out, const ExplainReport& report, const CaptureNames& names) {

@@ -99,7 +99,8 @@ RayTruth explainRay(const TruthInput& input, const Ray& ray, const Hit& traced, 
   const RayRecord record = recordRay(input.trace, ray);
   const bool own = record.hit.kind == traced.kind && record.hit.t == traced.t && record.hit.reference == traced.reference;
   TruthEvent event = own ? findEvent(input, ray, record, exact) : findForeignEvent(input, ray, traced, exact);
-  if (!own && event.cause == kCauseNumeric && judge(record.hit, exact, grid) != kVerdictAgrees) event = findEvent(input, ray, record, exact);
+  if (!own && event.cause == kCauseNumeric && judge(record.hit, exact, grid) != kVerdictAgrees)
+    event = findEvent(input, ray, record, exact);
   truth.cause = event.cause;
   truth.cell = event.cell;
   truth.reference = event.reference;
