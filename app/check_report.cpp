@@ -88,7 +88,11 @@ Json checkJson(const Session& session, const CheckReport& report) {
   json["grid"] = gridJson(session.pipeline().parameters().grid);
   json["broken"] = report.broken();
   for (const CheckedStage& stage : report.stages) json["stages"].push_back(stageJson(stage));
-  json["references"] = {{"tried", triedIn(report.grid)}, {"stored", report.grid.stored()}, {"refused", report.grid.refused()}};
+  json["references"]["stored"] = report.grid.stored();
+  if (session.pipeline().parameters().grid.reserved == 2) {
+    json["references"]["tried"] = triedIn(report.grid);
+    json["references"]["refused"] = report.grid.refused();
+  }
   json["cells"] = {{"occupied", cells.occupied}, {"saturated", cells.saturated}, {"maxDemand", cells.maxDemand}};
   json["rays"] = report.rays.count;
   json["hits"] = {{"triangle", report.rays.triangleHits}, {"voxel", report.rays.voxelHits}, {"miss", report.rays.misses}};
