@@ -163,7 +163,7 @@ std::string tuneCsv(const TuneResult& result) {
                    row.grid.cellEdge > 0.0f ? printed("%.9g", double(row.grid.cellEdge)).c_str() : "", row.grid.capacity, overlapText(row),
                    numberingText(row), traversalText(row), double(row.trace.back), double(row.trace.ahead), double(row.trace.gate));
     if (!row.measured()) {
-      csv += std::string(19, ',') + ",0,0," + quoted(row.refusal) + "\r\n";
+      csv += std::string(19, ',') + "0,0," + quoted(row.refusal) + "\r\n";
       continue;
     }
     const uint64_t counts[] = {row.bytes, row.stored, row.refused, row.occupied, row.saturated, row.rays, row.wrong(), row.verdicts[kVerdictHole],
