@@ -58,7 +58,7 @@ void printRows(std::FILE* out, const TuneResult& result, const std::vector<size_
   table.print(out);
 }
 
-// Each reason once, with how many settings it kept out and the first of them.
+// Each setting that was refused, with its reason.
 void printRefusals(std::FILE* out, const TuneResult& result) {
   std::vector<const TuneRow*> refused;
   for (const TuneRow& row : result.rows)
