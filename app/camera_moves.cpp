@@ -23,17 +23,29 @@ static vec3 turned(const vec3& direction, const vec3& up, float turn, float rise
   return glm::length(direction) * (level * std::cos(wanted) + up * std::sin(wanted));
 }
 
+void aimCamera(CameraState& camera, const FrameSnapshot& frame) {
+  if (!frame.gather || !frame.request.settings) return;
+  const FrameSettings& settings = *frame.request.settings;
+  const size_t middle = size_t(settings.height / 2) * settings.width + settings.width / 2;
+  if (middle >= frame.gather->size() || (*frame.gather)[middle].reference == kBlank) return;
+  const vec3 forward = glm::normalize(camera.pose.target - camera.pose.eye);
+  camera.pose.target = camera.pose.eye + forward * std::max((*frame.gather)[middle].depth, 1e-4f);
+}
+
 void orbitCamera(CameraState& camera, float turn, float rise) {
+  camera.pose.name.clear();
   camera.pose.up = worldUp(camera);
   camera.pose.eye = camera.pose.target - turned(camera.pose.target - camera.pose.eye, camera.pose.up, turn, rise);
 }
 
 void turnCamera(CameraState& camera, float turn, float rise) {
+  camera.pose.name.clear();
   camera.pose.up = worldUp(camera);
   camera.pose.target = camera.pose.eye + turned(camera.pose.target - camera.pose.eye, camera.pose.up, turn, rise);
 }
 
 void moveCamera(CameraState& camera, vec3 way) {
+  camera.pose.name.clear();
   const vec3 forward = glm::normalize(camera.pose.target - camera.pose.eye);
   const vec3 right = glm::normalize(glm::cross(forward, camera.pose.up)), up = glm::cross(right, forward);
   const vec3 offset = right * way.x + up * way.y + forward * way.z;
@@ -42,11 +54,13 @@ void moveCamera(CameraState& camera, vec3 way) {
 }
 
 void dollyCamera(CameraState& camera, float factor) {
+  camera.pose.name.clear();
   camera.pose.eye = camera.pose.target + (camera.pose.eye - camera.pose.target) * std::clamp(factor, 0.05f, 20.0f);
 }
 
 void focusCamera(CameraState& camera, const Bounds& bounds) {
   if (bounds.empty()) return;
+  camera.pose.name.clear();
   const vec3 middle = 0.5f * (bounds.low + bounds.high);
   const float radius = std::max(0.5f * glm::distance(bounds.low, bounds.high), 1e-6f);
   const float distance = 2.5f * radius / std::tan(0.5f * glm::radians(camera.pose.verticalFovDegrees));
@@ -64,6 +78,7 @@ bool inPicture(const CameraPose& pose, const FrameSettings& frame, const vec3& p
 }
 
 void lookAlong(CameraState& camera, int axis, bool positive) {
+  camera.pose.name.clear();
   const float distance = glm::distance(camera.pose.eye, camera.pose.target);
   vec3 back(0.0f);
   back[axis] = positive ? 1.0f : -1.0f;

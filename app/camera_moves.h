@@ -5,6 +5,8 @@
 
 namespace gridscope {
 
+// Moves the target, along the view, to the surface in the middle of the frame: what one orbits around.
+void aimCamera(CameraState& camera, const FrameSnapshot& frame);
 // Around the target, by angles in radians.
 void orbitCamera(CameraState& camera, float turn, float rise);
 // Looks around from where it stands.

@@ -19,8 +19,8 @@ static std::shared_ptr<const std::vector<T>> shared(std::vector<T> values) {
 bool FrameMaker::readProducts() {
   if (!productsRead_) {
     if (interrupted()) return false;
-    current_.gather = shared(pipeline_->gatherPixels());
-    current_.rays = shared(pipeline_->rays());
+    if (!current_.gather) current_.gather = shared(pipeline_->gatherPixels());
+    if (!current_.rays) current_.rays = shared(pipeline_->rays());
     current_.hits = shared(pipeline_->hits());
     current_.counters = shared(pipeline_->counters());
     current_.traceNumber++;

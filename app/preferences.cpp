@@ -43,7 +43,8 @@ void readPreferences(WindowModel& model, const std::filesystem::path& file) {
     model.theme = saved.value("theme", "dark") == "light" ? Theme::light : Theme::dark;
     model.colourMap = std::min(saved.value("colourMap", 0u), kColourMapCount - 1);
     model.recentFiles = saved.value("recentFiles", std::vector<std::string>());
-    for (const auto& [scene, list] : saved.value("bookmarks", json::object()).items())
+    const json bookmarks = saved.value("bookmarks", json::object());
+    for (const auto& [scene, list] : bookmarks.items())
       for (const json& one : list)
         model.savedBookmarks[scene].push_back({one.at("name").get<std::string>(),
                                                {.name = one.at("name").get<std::string>(), .eye = vectorOf(one.at("eye")),

@@ -48,7 +48,10 @@ constexpr Action kActions[] = {
     {"Edit", "Selection back", "Alt+Left", "What was selected before.", nullptr, [](WindowModel& m) { m.selection.goBack(); }},
     {"Edit", "Selection forward", "Alt+Right", "What was selected after it.", nullptr, [](WindowModel& m) { m.selection.goForward(); }},
     {"Edit", "Select nothing", "Escape", "Leaves the selection and the area.", nullptr,
-     [](WindowModel& m) { m.area.reset(), m.selectingArea = false, m.helpOpen = false, m.selection.clear(); }},
+     [](WindowModel& m) {
+       if (m.helpOpen || m.openDialogOpen || m.captureDialogOpen) return;   // Escape closes those first
+       m.area.reset(), m.selectingArea = false, m.selection.clear();
+     }},
 
     {"View", "Focus", "F", "The camera goes to what is selected.", needsSelection, [](WindowModel& m) { focusCamera(m.camera, selectedBounds(m)); }},
     {"View", "Reset camera", "Ctrl+Home", "The scene's own camera, and the whole frame in the viewport.", needsFrame,

@@ -37,7 +37,7 @@ void drawMenuKeys(const char* menu) {
   for (const Action& one : allActions()) {
     if (std::strcmp(one.menu, menu) != 0 || !*one.key) continue;
     textMono(one.key);
-    ImGui::SameLine(unit(100) + ImGui::GetColumnOffset());
+    ImGui::SameLine(unit(100));
     ImGui::TextUnformatted(one.name);
     whyTooltip(one.about);
   }

@@ -14,9 +14,9 @@ void note(WindowModel& model, std::string text) { model.say(LogLine::Kind::note,
 
 void logScene(WindowModel& model, LoggedState& logged) {
   const FrameSnapshot& frame = *model.frame;
-  if (!logged.scene || logged.scene->path != frame.scene->path || logged.loads != frame.request.source.loadCount)
+  if (logged.scene != frame.scene->path || logged.loads != frame.request.source.loadCount)
     note(model, "Loaded " + frame.scene->name);
-  logged.scene = frame.scene.get();
+  logged.scene = frame.scene->path;
   logged.loads = frame.request.source.loadCount;
   const GridTotals& totals = frame.totals;
   if (!totals.occupancyHistogram.empty() && (std::memcmp(&totals.statistics, &logged.totals.statistics, sizeof(GridStatistics)) != 0 ||

@@ -7,7 +7,7 @@ namespace gridscope {
 
 // What was told last.
 struct LoggedState {
-  const SceneFacts* scene = nullptr;
+  std::string scene;                   // path; empty: none yet
   uint32_t loads = 0;
   uint64_t traceNumber = 0;
   const void* truths = nullptr;

@@ -148,6 +148,7 @@ struct WindowModel {
   int activePane = 0;
   std::optional<Bounds> focusWanted;             // world: the camera looks there, once
   bool linkedPanes = true;
+  float shownScale = 1.0f;                       // screen pixels a frame pixel, of the pane that was drawn last
   std::array<ViewportPlace, 4> places;           // linked: the first is everyone's
   CompareState comparison;
   uint32_t colourMap = kColourMapViridis;

@@ -129,6 +129,7 @@ void moveByMouse(WindowModel& model, bool hovered) {
       if (ImGui::IsMouseClicked(button)) steering = button;
   if (hovered && steering < 0 && io.KeyAlt && ImGui::IsMouseClicked(0)) steering = 0;
   if (steering < 0) return;
+  if (steering != 1 && ImGui::IsMouseClicked(steering) && model.frame) aimCamera(model.camera, *model.frame);
   if (!ImGui::IsMouseDown(steering)) {
     steering = -1;
     model.flying = false;
@@ -274,6 +275,7 @@ void drawPane(WindowModel& model, int pane, ImVec2 low, ImVec2 high, const PaneP
     if (ImGui::InvisibleButton("pane", {std::max(high.x - low.x, 1.0f), std::max(high.y - low.y, 1.0f)})) model.activePane = pane;
   } else {
     const PaneRect rect = paneRect(model, pane, low, high, front, *image);
+    model.shownScale = rect.scale;
     drawImage(list, rect, front, *image);
     const bool wipes = second && model.comparison.wipes;
     if (wipes) {

@@ -167,7 +167,7 @@ float drawBar(WindowModel& model, ImVec2 low, float width) {
     ImGui::SameLine();
     actionButton(model, "Select area", model.area ? "Leave area" : "Draw an area");
   }
-  barCamera(model, low.x + width - unit(6), model.places[0].zoom > 0.0f ? model.places[0].zoom : 1.0f);
+  barCamera(model, low.x + width - unit(6), model.shownScale);
   ImGui::PopClipRect();
   return height;
 }

@@ -112,7 +112,7 @@ TEST(FrameWorker, AnotherCapacityBuildsAgainWithTheSameRays) {
   const auto after = running.ask();
   EXPECT_EQ(after->grid->parameters.capacity, 2 * before->grid->parameters.capacity);
   EXPECT_LT(after->totals.refused(), before->totals.refused());
-  EXPECT_EQ(after->rays, before->rays);
+  EXPECT_TRUE(after->rays == before->rays);
   EXPECT_GT(after->traceNumber, before->traceNumber);
 }
 
@@ -121,8 +121,8 @@ TEST(FrameWorker, AnotherCameraKeepsTheGrid) {
   const auto before = running.begin();
   running.request.settings->camera.eye += vec3(0.05f, 0.02f, 0.0f);
   const auto after = running.ask();
-  EXPECT_EQ(after->grid, before->grid);
-  EXPECT_EQ(after->ledger, before->ledger);
+  EXPECT_TRUE(after->grid == before->grid);
+  EXPECT_TRUE(after->ledger == before->ledger);
   EXPECT_FALSE(sameBytes(*after->gather, *before->gather));
 }
 
@@ -130,11 +130,11 @@ TEST(FrameWorker, ASettingThatDoesNotFitSaysWhyAndLeavesTheFrame) {
   Running running;
   const auto before = running.begin();
   const uint32_t capacity = running.request.settings->grid.capacity;
-  running.request.settings->grid.cells = 100000;
+  running.request.settings->grid.capacity = 1000000;
   const auto refused = running.ask();
   EXPECT_FALSE(refused->fault.empty());
-  EXPECT_EQ(refused->request.settings->grid.cells, before->request.settings->grid.cells);
-  EXPECT_EQ(refused->hits, before->hits);
+  EXPECT_EQ(refused->request.settings->grid.capacity, capacity);
+  EXPECT_TRUE(refused->hits == before->hits);
 
   // And goes on from there.
   running.request.settings = refused->request.settings;
@@ -149,8 +149,8 @@ TEST(FrameWorker, ASceneThatCantBeLoadedLeavesTheOldOne) {
   running.request.source.scene = "nowhere.glb";
   const auto refused = running.ask();
   EXPECT_NE(refused->fault.find("nowhere.glb"), std::string::npos) << refused->fault;
-  EXPECT_EQ(refused->scene, before->scene);
-  EXPECT_EQ(refused->hits, before->hits);
+  EXPECT_TRUE(refused->scene == before->scene);
+  EXPECT_TRUE(refused->hits == before->hits);
   EXPECT_EQ(refused->request.source.scene, before->request.source.scene);
 }
 
