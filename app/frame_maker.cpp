@@ -41,7 +41,6 @@ void FrameMaker::publish(bool stale) {
 }
 
 void FrameMaker::fail(const std::string& fault) {
-  listener_.say(LogLine::Kind::error, fault);
   current_.fault = fault;
   publish(dirty_.any());
   current_.fault.clear();

@@ -69,7 +69,9 @@ void takeFrame(WindowModel& model, std::shared_ptr<const FrameSnapshot> frame) {
   if (anotherScene && model.frame->request.settings) greetScene(model);
   if (!model.frame->fault.empty()) {
     // What can't be had is no longer asked for.
-    model.showMessage(model.frame->fault);
+    model.say(LogLine::Kind::error, model.frame->fault);
+    model.toast = model.frame->fault;
+    model.toastUntil = model.now + 8.0;
     if (model.frame->request.settings) {
       model.request.source = model.frame->request.source;
       model.request.edits = model.frame->request.edits;
