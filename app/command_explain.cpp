@@ -5,6 +5,7 @@
 #include <memory>
 #include <mutex>
 
+#include "app/budget.h"
 #include "app/commands.h"
 #include "app/explain_report.h"
 #include "app/report.h"
@@ -71,6 +72,7 @@ void addExplainOptions(CLI::App& command, Options& options) {
   addFrameOptions(command, options);
   addTruthOptions(command, options);
   addPixelOption(command, options);
+  addBudgetOption(command, options);
   addJsonOption(command, options);
 }
 
@@ -112,7 +114,8 @@ int runExplain(const Options& options) {
   json["traversal"] = traversal;
   if (session.capture()) json["foreignHits"] = foreign;
   writeJson(options, json);
-  return session.validationMessages() > 0 ? kExitDifferent : kExitDone;
+  const int budgets = judgeBudgets(options, json);
+  return session.validationMessages() > 0 ? kExitDifferent : budgets;
 }
 
 }  // namespace gridscope

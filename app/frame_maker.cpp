@@ -7,7 +7,6 @@
 #include "app/scene_edits.h"
 #include "app/text.h"
 #include "core/frame_capture.h"
-#include "views/view.h"
 
 namespace gridscope {
 
@@ -58,8 +57,8 @@ void FrameMaker::make(const FrameRequest& wanted) {
   try {
     if (!bringSource(request)) return;
     if (!bringPipeline() || !buildAndUpdate() || !makeRays() || !traceTiles()) return;
-    if (!readProducts() || !recordRay() || !measureGrid()) return;
-    tellTruth();
+    if (!readProducts() || !recordRay() || !measureGrid() || !findAboutCells()) return;
+    if (tellTruth()) showTruths();
   } catch (const Error& error) {
     // What was shown before stays what is asked for; its stages run again as far as the attempt came.
     if (before.settings && before.source == loaded_->source) made_ = current_.request = before;
@@ -115,7 +114,7 @@ bool FrameMaker::bringSource(FrameRequest& request) {
     if (loaded_->capture && made_.frame != request.frame) changes.update = changes.gather = true;
     dirty_.add(changes);
   }
-  if (dirty_.slice) viewsDone_.erase("slice");
+  if (dirty_.slice) std::erase_if(viewsDone_, [](const std::string& name) { return !findView(name) || findView(name)->scope == ViewScope::slice; });
   dirty_.slice = false;
   if (dirty_.trace) traced_ = 0, productsRead_ = false;
   if (dirty_.update) gridRead_ = gridMeasured_ = false;
@@ -136,7 +135,7 @@ bool FrameMaker::bringPipeline() {
   if (interrupted()) return false;
   if (!dirty_.any() && pipeline_) return true;
   const FrameSettings settings = pipelineSettings();
-  if (dirty_.size || dirty_.scene || !pipeline_) forgetPixels(), viewsDone_.clear();
+  if (dirty_.size || dirty_.scene || !pipeline_) forgetPixels(), viewsDone_.clear(), findings_.clear();
   if (dirty_.scene || !pipeline_) {
     listener_.working(LongWork{.what = "Preparing " + current_.scene->name, .share = -1.0f});
     pipeline_.reset();
@@ -192,6 +191,8 @@ bool FrameMaker::buildAndUpdate() {
   }
   if (interrupted()) return false;
   if (!dirty_.update) return true;
+  keepGridBeforeUpdate();
+  findings_.clear();
   if (!loaded_->capture) {
     if (!made_.edits.empty()) edited_ = editedScene(loaded_->scene, made_.edits);
     pipeline_->update(float(made_.timeSeconds));
@@ -242,6 +243,7 @@ bool FrameMaker::traceTiles() {
       return !view || view->scope == ViewScope::ray || view->needsCounters;
     });
     current_.exact.reset(), current_.truths.reset(), current_.proofs.reset(), current_.record.reset();
+    findings_ = findings_.contains(ViewNeed::cellUpdates) ? std::set{ViewNeed::cellUpdates} : std::set<ViewNeed>{};
     if (!fillViews(false)) return false;
   }
   Clock::time_point published = Clock::now();
@@ -268,7 +270,7 @@ bool FrameMaker::fillViews(bool complete) {
   bool changed = false;
   for (const std::string& name : made_.views) {
     const View* view = findView(name);
-    if (!view || viewsDone_.contains(name)) continue;
+    if (!view || viewsDone_.contains(name) || (view->need != ViewNeed::nothing && !findings_.contains(view->need))) continue;
     if (interrupted()) return false;
     try {
       current_.views[name] = std::make_shared<const Pipeline::ViewImage>(pipeline_->view(name, made_.slice, view->needsGrid));

@@ -11,6 +11,7 @@
 #include "app/frame_source.h"
 #include "app/window_model.h"
 #include "core/gpu_context.h"
+#include "views/view.h"
 
 namespace gridscope {
 
@@ -53,6 +54,15 @@ class FrameMaker {
   bool measureGrid();
   bool tellTruth();
   bool tellRecorded(const TruthInput& input);
+
+  // frame_findings.cpp
+  bool wantsFinding(ViewNeed need) const;
+  void found(ViewNeed need);
+  void keepGridBeforeUpdate();
+  bool findAboutCells();
+  void compareSomeBuilds();
+  bool showTruths();
+
   TraceInput traceInput() const;                // of what was read
   bool stopWork();                              // the long work is given up: false
 
@@ -84,6 +94,8 @@ class FrameMaker {
   uint32_t traced_ = 0;                         // rays of this frame's trace that are done
   uint32_t tileRays_ = 4096;                    // of the next tile
   std::set<std::string> viewsDone_;
+  std::set<ViewNeed> findings_;                 // that the pipeline has of this frame
+  Grid gridBefore_;                             // before the last update; empty: not kept
   bool productsRead_ = false;                   // rays, hits, counters, gather of the complete frame are in current_
   bool gridRead_ = false;                       // grid, triangles, totals likewise
   bool gridMeasured_ = false;                   // invariants, demand, ledger

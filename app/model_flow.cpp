@@ -23,9 +23,10 @@ FrameRequest requestOf(const WindowModel& model) {
   for (int i = 0; i < panes; ++i) request.views.insert(model.panes[model.layout == ViewportLayout::four ? size_t(i) : size_t(model.activePane)].view);
   if (model.layout == ViewportLayout::compare && model.comparison.with == CompareState::With::view)
     request.views.insert(model.panes[size_t(model.activePane) ^ 1u].view);
-  for (const std::string& view : request.views)
-    if (model.truthDeclined) break;
-    else if (view == "verdict" || view == "cause" || view == "error" || view == "lost") request.truth = true;
+  for (const std::string& name : request.views) {
+    const View* view = findView(name);
+    if (view && (view->need == ViewNeed::truth || view->need == ViewNeed::triangleCosts) && !model.truthDeclined) request.truth = true;
+  }
   return request;
 }
 
@@ -134,8 +135,6 @@ void advanceModel(WindowModel& model, double seconds) {
   else if (steps >= 1.0) goToStep(model, int64_t(step) + int64_t(steps)), steps = 0.0;
 }
 
-static std::string knownView(const char* name, const char* otherwise) { return findView(name) ? name : otherwise; }
-
 void showIn(WindowModel& model, Workspace workspace) {
   model.workspace = workspace;
   model.truthDeclined = false;
@@ -157,7 +156,7 @@ void showIn(WindowModel& model, Workspace workspace) {
       break;
     case Workspace::verdict:
       model.layout = ViewportLayout::four;
-      model.panes = {Pane{"final"}, Pane{knownView("verdict", "hit-kind")}, Pane{knownView("cause", "voxel")}, Pane{"visits"}};
+      model.panes = {Pane{"final"}, Pane{"verdict"}, Pane{"cause"}, Pane{"visits"}};
       overlays.saturatedBoxes = overlays.cellBoxes = false;
       model.request.truth = true;
       model.showTab(BottomTab::causes);

@@ -1,0 +1,77 @@
+// What some views need beside the frame's products (View::need): found out once such a view is shown, and given to the pipeline
+// (frame_maker.h).
+#include "app/frame_maker.h"
+
+#include "core/cell_rays.h"
+#include "core/cell_updates.h"
+#include "core/stability.h"
+
+namespace gridscope {
+
+// Builds that the view `stability` compares.
+static constexpr uint32_t kComparedBuilds = 4;
+
+bool FrameMaker::wantsFinding(ViewNeed need) const {
+  for (const std::string& name : made_.views)
+    if (const View* view = findView(name); view && view->need == need) return true;
+  return false;
+}
+
+// Views that wait for this can be filled.
+void FrameMaker::found(ViewNeed need) {
+  findings_.insert(need);
+  std::erase_if(viewsDone_, [need](const std::string& name) {
+    const View* view = findView(name);
+    return view && view->need == need;
+  });
+}
+
+void FrameMaker::keepGridBeforeUpdate() {
+  gridBefore_ = wantsFinding(ViewNeed::cellUpdates) && !current_.scene->foreign ? pipeline_->grid() : Grid{};
+}
+
+bool FrameMaker::findAboutCells() {
+  const auto missing = [&](ViewNeed need) { return wantsFinding(need) && !findings_.contains(need); };
+  if (missing(ViewNeed::cellUpdates) && !gridBefore_.texels.empty()) {
+    pipeline_->useCellUpdates(compareUpdate(gridBefore_, *current_.grid));
+    found(ViewNeed::cellUpdates);
+  }
+  if (missing(ViewNeed::cellRays)) {
+    if (interrupted()) return false;
+    pipeline_->useCellRays(countCellRays(traceInput(), *current_.rays));
+    found(ViewNeed::cellRays);
+  }
+  if (missing(ViewNeed::stability)) {
+    if (interrupted()) return false;
+    compareSomeBuilds();
+    found(ViewNeed::stability);
+  }
+  return fillViews(true);
+}
+
+// The frame's own grid and hits come back afterwards.
+void FrameMaker::compareSomeBuilds() {
+  const std::vector<Instance> instances = *current_.instances;
+  const bool foreign = current_.scene->foreign;
+  const Stability stability = compareBuilds(*pipeline_, foreign ? 1 : kComparedBuilds, [&] {
+    if (foreign) return;
+    pipeline_->build();
+    pipeline_->update(instances);
+  });
+  pipeline_->useStability(stability.cells, stability.rays);
+  pipeline_->useGrid(current_.grid->texels);
+  pipeline_->useHits(*current_.hits);
+}
+
+bool FrameMaker::showTruths() {
+  if (!current_.truths || findings_.contains(ViewNeed::truth)) return true;
+  pipeline_->useTruths(*current_.truths);
+  found(ViewNeed::truth);
+  std::vector<uint32_t> costs;
+  for (const TriangleLoss& loss : current_.ledger->triangles) costs.push_back(loss.rays);
+  pipeline_->useTriangleCosts(costs);
+  found(ViewNeed::triangleCosts);
+  return fillViews(true);
+}
+
+}  // namespace gridscope
