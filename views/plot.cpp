@@ -100,15 +100,15 @@ void drawKeys(Drawing& drawing, const std::vector<PlotKey>& keys, float y) {
   }
 }
 
-// Name and words beside the ring, on the side that has room.
-void drawNote(Drawing& drawing, const PlotFrame& frame, const PlotNote& note, float lift) {
+// A ring, and name and words beside it on the side that has room: at the plot's top or bottom, where points are few.
+void drawNote(Drawing& drawing, const PlotFrame& frame, const PlotNote& note, bool atTop) {
   const DrawingPoint centre{frame.placeX(note.x), frame.placeY(note.y)};
   drawing.shapes.push_back(DrawnMark{MarkShape::ring, centre, 8.0f, note.colour, 1.0f, note.name + ": " + note.about});
   const TextStyle name{Font::sans, 12.0f, kColourText}, about{Font::mono, 11.0f, kColourDim};
   const float width = std::max(textWidth(note.name, name), textWidth(note.about, about)) + 16.0f;
   const bool toLeft = centre.x + 24.0f + width > frame.right();
   const float x = std::max(frame.left(), toLeft ? centre.x - 24.0f - width : centre.x + 24.0f);
-  const float y = std::clamp(centre.y - lift, frame.top() + 4.0f, frame.bottom() - 40.0f);
+  const float y = atTop ? frame.top() + 4.0f : frame.bottom() - 40.0f;
   drawing.shapes.push_back(DrawnLine{{centre, {toLeft ? x + width : x, y + 18.0f}}, note.colour, 1.0f, false});
   drawing.shapes.push_back(DrawnBox{{x, y}, width, 36.0f, kColourWindow, ""});
   drawing.shapes.push_back(DrawnBox{{x, y}, 3.0f, 36.0f, note.colour, ""});
@@ -159,11 +159,7 @@ Drawing drawScatter(const ScatterPlot& plot, PlotSize size) {
   for (const PlotPoint& point : plot.points)
     if (std::isfinite(point.x) && std::isfinite(point.y))
       drawing.shapes.push_back(DrawnMark{point.shape, {frame.placeX(point.x), frame.placeY(point.y)}, 3.5f, point.colour, point.opacity, point.title});
-  float lift = 70.0f;
-  for (const PlotNote& note : plot.notes) {
-    drawNote(drawing, frame, note, lift);
-    lift = -30.0f;   // the second below its point
-  }
+  for (size_t i = 0; i < plot.notes.size(); ++i) drawNote(drawing, frame, plot.notes[i], i % 2 == 0);
   return drawing;
 }
 
