@@ -9,10 +9,6 @@ namespace gridscope {
 
 namespace {
 
-uint64_t cellNumber(const GridParameters& grid, const ivec3& cell) {
-  return (uint64_t(cell.z) * uint64_t(grid.cellCount.y) + uint64_t(cell.y)) * uint64_t(grid.cellCount.x) + uint64_t(cell.x);
-}
-
 template <typename Accepts>
 std::optional<uint32_t> nextTruth(const FrameSnapshot& frame, std::optional<uint32_t> from, const Accepts& accepts) {
   if (!frame.truths || frame.truths->empty()) return std::nullopt;

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cstring>
 #include <map>
+#include <memory>
 #include <new>
 #include <optional>
 #include <string_view>
@@ -130,10 +131,11 @@ class Sweep {
   void tryGrid(const GridSettings& grid) {
     TuneRow row{.grid = grid, .trace = input_.frame.settings().trace};
     refusing(row, [&] {
-      Pipeline pipeline(input_.gpu, inputsOf(row), input_.frame.device());
-      pipeline.useRays(rays_);
-      measureGrid(pipeline, row);
-      measureTrace(pipeline, row);
+      auto pipeline = std::make_unique<Pipeline>(input_.gpu, inputsOf(row), input_.frame.device());
+      pipeline->useRays(rays_);
+      measureGrid(*pipeline, row);
+      measureTrace(*pipeline, row);
+      if (!own_) own_ = std::move(pipeline), ownTraceMs_ = row.traceMs.median;
     });
     finishRow(std::move(row));
   }
@@ -211,6 +213,22 @@ class Sweep {
     row.saturated = totals.statistics.saturated;
   }
 
+  // A device's clock changes while a sweep runs, by a factor of four within seconds on some. So every run stands beside one of the frame's
+  // own setting, and a time is told as it would be at the clock of the first row.
+  Spread timeTrace(Pipeline& pipeline) {
+    auto once = [](Pipeline& traced) {
+      traced.trace(false);
+      return traced.times().trace;
+    };
+    std::vector<double> beside;
+    Spread spread = timed([&] {
+      if (own_) beside.push_back(once(*own_));
+      return once(pipeline);
+    });
+    const double scale = own_ ? ownTraceMs_ / std::max(spreadOf(std::move(beside)).median, 1e-9) : 1.0;
+    return {.min = spread.min * scale, .median = spread.median * scale, .max = spread.max * scale};
+  }
+
   // The counting trace for the counters, then the fast one for its time. Their hits are the same.
   void measureTrace(Pipeline& pipeline, TuneRow& row) {
     pipeline.trace(true);
@@ -218,10 +236,7 @@ class Sweep {
     const CounterTotals counters = summariseCounters(pipeline.counters(), hits);
     row.visits = counters.visits.mean;
     row.tests = counters.tests.mean;
-    row.traceMs = timed([&] {
-      pipeline.trace(false);
-      return pipeline.times().trace;
-    });
+    row.traceMs = timeTrace(pipeline);
     judgeAll(pipeline, hits, row);
   }
 
@@ -250,6 +265,8 @@ class Sweep {
   std::vector<GridSettings> grids_;
   std::vector<TraceSettings> traces_;
   std::map<NumberBy, Numbering> numberings_;
+  std::unique_ptr<Pipeline> own_;        // of the first row, once it is measured
+  double ownTraceMs_ = 0.0;              // median of the first row
   std::vector<Hit> exact_;
   std::optional<float> exactTMin_;       // of exact_
   TuneResult result_;

@@ -55,7 +55,7 @@ struct TuneRow {
   double visits = 0.0;                 // mean a ray; likewise the next
   double tests = 0.0;
   Spread buildMs;                      // of the static grid and the dynamic instances
-  Spread traceMs;
+  Spread traceMs;                      // at the clock of the first row: scaled by what its setting took beside this one
   bool front = false;                  // no other setting is at least as good in memory, trace time and wrong rays and better in one
 
   bool measured() const { return refusal.empty(); }
