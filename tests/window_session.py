@@ -137,11 +137,12 @@ class Window:
         self.shots = 0
         self.environment = dict(os.environ, DISPLAY=display, XDG_CONFIG_HOME=str(folder / "settings"))
         self.environment.pop("WAYLAND_DISPLAY", None)
-        self.child = Child([program, "window", scene, "--validation", "--log", "--size", "320x180", "--window-size", f"{WIDTH}x{HEIGHT}"],
+        self.child = Child([program, "window", scene, "--validation", "--log", "--size", "320x180"],
                            cwd=folder, env=self.environment, stdout=open(folder / "stdout.txt", "w"), stderr=subprocess.PIPE, text=True,
                            errors="replace")
         self.log = Log(self.child.process.stderr, folder / "log.txt")
         self.id = self.find()
+        self.resize(WIDTH, HEIGHT)
 
     def tool(self, *arguments):
         done = subprocess.run(["xdotool", *arguments], env=self.environment, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
@@ -424,15 +425,15 @@ class Tour:
     # Where things stand at 1280x720, pixels of the window.
     PLACES = {
         "view list": (375, 83),
-        "view entry": (375, 180),
-        "picture": (560, 260),
-        "capacity": (215, 203),
-        "tab cells": (420, 453),
-        "tab instances": (480, 453),
-        "tab triangles": (550, 453),
-        "tab rays": (610, 453),
-        "tab causes": (660, 453),
-        "tab plots": (710, 453),
+        "view entry": (345, 269),
+        "picture": (600, 220),
+        "capacity": (205, 270),
+        "tab cells": (418, 461),
+        "tab instances": (486, 461),
+        "tab triangles": (567, 461),
+        "tab rays": (633, 461),
+        "tab causes": (694, 461),
+        "tab plots": (756, 461),
     }
 
     def place(self, name):
