@@ -8,6 +8,8 @@
 #include <optional>
 #include <vector>
 
+#include "app/low_priority.h"
+
 namespace gridscope {
 
 template <typename Value>
@@ -18,7 +20,10 @@ class Beside {
     if (work_.valid() && work_.wait_for(std::chrono::seconds(0)) == std::future_status::ready) value_ = work_.get();
     if (work_.valid() || (asked_ && *asked_ == sources)) return;
     asked_ = sources;
-    work_ = std::async(std::launch::async, std::move(make));
+    work_ = std::async(std::launch::async, [make = std::move(make)] {
+      lowerThreadPriority();
+      return make();
+    });
   }
 
   // The last finished one; nothing before the first.

@@ -165,7 +165,7 @@ void showIn(WindowModel& model, Workspace workspace) {
       model.layout = ViewportLayout::one;
       model.panes[0] = {"final"};
       overlays.saturatedBoxes = overlays.cellBoxes = false;
-      model.showTab(BottomTab::tune);
+      model.showTab(BottomTab::plots);
       break;
   }
   overlays.selection = true;

@@ -30,8 +30,8 @@ struct CountedWords {
 };
 
 constexpr CountedWords kWords[] = {
-    {Counted::tried, "References tried per occupied cell", "cells", "references", {"occupancy", "slice", "saturation"}},
-    {Counted::stored, "References stored per occupied cell", "cells", "references", {"occupancy", "slice", "saturation"}},
+    {Counted::tried, "References tried per cell", "cells", "references", {"occupancy", "slice", "saturation"}},
+    {Counted::stored, "References stored per cell", "cells", "references", {"occupancy", "slice", "saturation"}},
     {Counted::visits, "Cells visited by a ray", "rays", "cells", {"visits", "", ""}},
     {Counted::tests, "Triangles tested by a ray", "rays", "tests", {"tests", "", ""}},
 };
@@ -74,6 +74,7 @@ void wantHistogram(const WindowModel& model, HistogramPanel& panel) {
   const uint32_t capacity = uint32_t(frame->parameters.grid.capacity);
   const std::vector<const void*> sources = {&words, ofCells(words.what) ? static_cast<const void*>(frame->grid.get()) : frame->hits.get(),
                                             ofCells(words.what) ? nullptr : frame->counters.get()};
+  if (!(ofCells(words.what) ? static_cast<bool>(frame->grid) : frame->hits && frame->counters)) return;
   panel.job.want(sources, [frame, what = words.what, capacity] {
     const std::vector<uint32_t> values = countedValues(what, *frame);
     const uint32_t reach = what == Counted::stored ? capacity : what == Counted::tried ? 2 * capacity : reachOf(values);
@@ -191,7 +192,7 @@ void drawButtons(WindowModel& model, const CountedWords& words, float right, flo
 void drawHistogram(WindowModel& model, int place, const ImVec2& low, const ImVec2& high) {
   static std::array<HistogramPanel, 2> panels{HistogramPanel{0}, HistogramPanel{2}};
   HistogramPanel& panel = panels[size_t(place)];
-  drawChoice(panel, place, low, high.x - low.x - unit(110));
+  drawChoice(panel, place, low, high.x - low.x - unit(64));
   const CountedWords words = kWords[panel.counted];
   wantHistogram(model, panel);
   drawButtons(model, words, high.x, low.y);

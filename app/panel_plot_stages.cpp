@@ -127,12 +127,13 @@ void drawStageTimes(WindowModel& model, const ImVec2& low, const ImVec2& high) {
   double highest = 0.0;
   for (const Stack& stack : stacks) highest = std::max(highest, sumOf(stack));
   PlotLook look{.title = "Stage times, last 200 frames", .note = "ms", .x = {.low = -double(StageHistory::kMost) + 0.5, .high = 0.5},
-                .y = scaleFromZero(highest), .legendWidth = 112.0f, .footHeight = 16.0f, .ticksX = false};
+                .y = scaleFromZero(highest), .legendWidth = 108.0f, .footHeight = 16.0f, .ticksX = false};
   const PlotFrame plot(look, low, high);
   if (!plot.drawn()) return;
   const float labels = plot.high().y + unit(3);
   plotText(ImVec2(plot.low().x, labels), "-200", uiColour(UiColour::dim), true);
-  plotText(ImVec2(0.5f * (plot.low().x + plot.high().x - plotTextWidth("-100", true)), labels), "-100", uiColour(UiColour::dim), true);
+  if (plot.high().x - plot.low().x > unit(130))
+    plotText(ImVec2(0.5f * (plot.low().x + plot.high().x - plotTextWidth("-100", true)), labels), "-100", uiColour(UiColour::dim), true);
   plotText(ImVec2(plot.high().x - plotTextWidth("now", true), labels), "now", uiColour(UiColour::dim), true);
   if (stacks.empty()) return;
   drawStacks(plot, stacks);

@@ -92,11 +92,13 @@ void drawEmpty(WindowModel& model, const SheetPanel& panel, const TableResult& t
 
 // --- Titles -----------------------------------------------------------------------------------------------------------------------
 
-bool isNumber(const SheetColumn& column) { return column.kind != ColumnKind::word && column.kind != ColumnKind::place; }
+bool isNumber(const SheetColumn& column) {
+  return column.kind != ColumnKind::word && column.kind != ColumnKind::place && column.kind != ColumnKind::reference;
+}
 
 float columnWeight(const SheetColumn& column) {
   if (column.kind == ColumnKind::word) return 1.5f;
-  return column.kind == ColumnKind::place ? 1.2f : 1.0f;
+  return column.kind == ColumnKind::place || column.kind == ColumnKind::reference ? 1.2f : 1.0f;
 }
 
 void setUpColumns(const Sheet& sheet, const SheetPanel& panel, const SheetActions& actions) {
@@ -107,7 +109,7 @@ void setUpColumns(const Sheet& sheet, const SheetPanel& panel, const SheetAction
     if (index == panel.order.column) flags |= ImGuiTableColumnFlags_DefaultSort;
     ImGui::TableSetupColumn(column.title.c_str(), flags, columnWeight(column), static_cast<ImGuiID>(index));
   }
-  if (actions.lastTitle) ImGui::TableSetupColumn(actions.lastTitle, ImGuiTableColumnFlags_NoSort, 2.2f, static_cast<ImGuiID>(sheet.columns.size()));
+  if (actions.lastTitle) ImGui::TableSetupColumn(actions.lastTitle, ImGuiTableColumnFlags_NoSort, 2.0f, static_cast<ImGuiID>(sheet.columns.size()));
   ImGui::TableSetupScrollFreeze(0, 1);
 }
 
@@ -196,7 +198,8 @@ void drawTable(SheetPanel& panel, const TableResult& table, const SheetActions& 
 
 void drawSheet(WindowModel& model, SheetPanel& panel, const SheetActions& actions) {
   if (!model.frame || !model.frame->scene) return emptyState("No frame yet: it shows here as soon as the first one is done.");
-  panel.job.want({.kind = panel.kind, .frame = model.frame, .area = model.area, .search = model.search, .order = panel.order});
+  // While the stages run again the last table stays.
+  if (canMakeSheet(panel.kind, *model.frame)) panel.job.want({.kind = panel.kind, .frame = model.frame, .area = model.area, .search = model.search, .order = panel.order});
   drawStrip(model, panel);
   const std::shared_ptr<const TableResult> table = panel.job.result();
   if (!table) return emptyState("Counting...");

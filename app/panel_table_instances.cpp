@@ -26,12 +26,12 @@ void drawToggles(WindowModel& model, uint32_t instance, bool animated) {
   const bool captured = model.frame->scene->captureFrames > 0;
   const bool hidden = hasEdit(model, instance, InstanceEdit::Kind::hide), made = hasEdit(model, instance, InstanceEdit::Kind::makeDynamic);
   const char* captureWhy = "A capture's instances stay as they were captured";
-  if (smallButton(hidden ? "Show" : "Hide", "hide", hidden ? "Puts it back; the static grid is built again" : "Takes it away; the static grid is built again",
+  if (rowButton(hidden ? "Show" : "Hide", "hide", hidden ? "Puts it back; the static grid is built again" : "Takes it away; the static grid is built again",
                   !captured, captureWhy))
     toggleEdit(model, instance, InstanceEdit::Kind::hide);
   ImGui::SameLine(0.0f, unit(4));
   const char* why = captured ? captureWhy : hidden ? "It is hidden" : "It is dynamic in the scene already";
-  if (smallButton(made ? "Make static" : "Make dynamic", "dynamic", "Dynamic: cleared and added again every frame, and can be dragged",
+  if (rowButton(made ? "Static" : "Dynamic", "dynamic", made ? "Makes it static again" : "Makes it dynamic: cleared and added again every frame, and can be dragged",
                   !captured && !hidden && (made || !animated), why))
     toggleEdit(model, instance, InstanceEdit::Kind::makeDynamic);
 }

@@ -48,18 +48,30 @@ float smallButtonWidth(const char* label) {
   return width;
 }
 
-bool smallButton(const char* label, const char* id, const char* tooltip, bool enabled, const char* whyNot) {
+static bool paddedButton(const char* label, const char* id, float paddingY, bool enabled) {
+
   ImGui::PushID(id);
   ImGui::PushFont(windowFonts().sansSmall);
-  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(unit(6), unit(1)));
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(unit(6), paddingY));
   ImGui::BeginDisabled(!enabled);
   const bool clicked = ImGui::Button(label);
   ImGui::EndDisabled();
   ImGui::PopStyleVar();
   ImGui::PopFont();
-  whyTooltip(enabled ? tooltip : whyNot);
   ImGui::PopID();
   return clicked && enabled;
+}
+
+bool smallButton(const char* label, const char* id, const char* tooltip, bool enabled, const char* whyNot) {
+  const bool clicked = paddedButton(label, id, unit(1), enabled);
+  whyTooltip(enabled ? tooltip : whyNot);
+  return clicked;
+}
+
+bool rowButton(const char* label, const char* id, const char* tooltip, bool enabled, const char* whyNot) {
+  const bool clicked = paddedButton(label, id, 0.0f, enabled);
+  whyTooltip(enabled ? tooltip : whyNot);
+  return clicked;
 }
 
 void tableTitle(const char* title, bool toTheRight) {

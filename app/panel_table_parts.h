@@ -25,6 +25,7 @@ float tableRowHeight();                              // of one row, pixels of th
 void beginStrip();                                   // the line above a table: what comes next stands on it
 void toTheRight(float width);                        // goes on in the present line, `width` before the right edge, where there is room
 bool smallButton(const char* label, const char* id, const char* tooltip, bool enabled = true, const char* whyNot = "");
+bool rowButton(const char* label, const char* id, const char* tooltip, bool enabled = true, const char* whyNot = "");  // within a row
 float smallButtonWidth(const char* label);
 
 void tableTitle(const char* title, bool toTheRight);  // in the present column of the title row

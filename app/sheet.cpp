@@ -37,6 +37,7 @@ std::string sheetText(const SheetColumn& column, size_t row) {
     case ColumnKind::whole: return grouped(static_cast<uint64_t>(value));
     case ColumnKind::decimal: return printed(std::abs(value) < 0.1 && value != 0.0 ? "%.3g" : "%.3f", value);
     case ColumnKind::percent: return printed("%.1f %%", value);
+    case ColumnKind::reference: return printed("0x%08X", static_cast<uint32_t>(value));
     case ColumnKind::word: return column.words[static_cast<size_t>(value)];
     case ColumnKind::place: return placeText(column, row, ", ");
   }
@@ -50,6 +51,7 @@ std::string sheetPlainText(const SheetColumn& column, size_t row) {
     case ColumnKind::whole: return std::to_string(static_cast<uint64_t>(value));
     case ColumnKind::decimal: return printed("%.9g", value);
     case ColumnKind::percent: return printed("%.4g", value);
+    case ColumnKind::reference: return sheetText(column, row);
     case ColumnKind::word: return column.words[static_cast<size_t>(value)];
     case ColumnKind::place: return placeText(column, row, ",");
   }
@@ -149,6 +151,7 @@ class ColumnMatch {
  public:
   ColumnMatch(const SheetColumn& column, const Term& term) : column_(column), term_(term) {
     for (const std::string& word : column.words) wordMatches_.push_back(lowered(word).find(term.text) != std::string::npos);
+    hexadecimal_ = term.text.starts_with("0x");
     numeric_ = term.text.find_first_not_of("0123456789.,%-") == std::string::npos;
   }
 
@@ -156,6 +159,7 @@ class ColumnMatch {
     if (!isKnown(column_, row)) return false;
     const double value = column_.values[row];
     if (term_.comparison != Comparison::holds) return compares(value);
+    if (column_.kind == ColumnKind::reference) return hexadecimal_ && lowered(sheetText(column_, row)).find(term_.text) != std::string::npos;
     if (column_.kind == ColumnKind::word) return wordMatches_[static_cast<size_t>(value)];
     if (!numeric_) return false;
     if (column_.kind == ColumnKind::place) {
@@ -184,7 +188,7 @@ class ColumnMatch {
   const SheetColumn& column_;
   const Term& term_;
   std::vector<uint8_t> wordMatches_;
-  bool numeric_ = false;
+  bool numeric_ = false, hexadecimal_ = false;
 };
 
 // Rows that hold one term.

@@ -19,6 +19,7 @@ enum class ColumnKind {
   whole,                               // 1,234
   decimal,                             // 1.234
   percent,                             // 12.3 %
+  reference,                           // 0x00000C22
   word,                                // of a list of words
   place,                               // 72, 4, 47 of a cell, 214, 192 of a pixel
 };

@@ -3,6 +3,8 @@
 
 #include <chrono>
 
+#include "app/low_priority.h"
+
 namespace gridscope {
 
 static bool sameArea(const std::optional<PixelArea>& a, const std::optional<PixelArea>& b) {
@@ -43,7 +45,10 @@ void TableJob::want(const TableWish& wish) {
   take();
   if (work_.valid() || !wish.frame) return;
   if (result_ && sameRows(result_->wish, wish)) return;
-  work_ = std::async(std::launch::async, [wish, last = result_] { return makeTable(wish, last.get()); });
+  work_ = std::async(std::launch::async, [wish, last = result_] {
+    lowerThreadPriority();
+    return makeTable(wish, last.get());
+  });
 }
 
 }  // namespace gridscope

@@ -7,6 +7,7 @@
 
 #include "app/find_next.h"
 #include "app/text.h"
+#include "core/cell_rays.h"
 
 namespace gridscope {
 
@@ -25,9 +26,7 @@ ivec3 cellOfId(const GridParameters& grid, uint32_t id) {
   return ivec3(int(id % x), int(id / x % y), int(id / x / y));
 }
 
-uint32_t idOfCell(const GridParameters& grid, const ivec3& cell) {
-  return (uint32_t(cell.z) * uint32_t(grid.cellCount.y) + uint32_t(cell.y)) * uint32_t(grid.cellCount.x) + uint32_t(cell.x);
-}
+uint32_t idOfCell(const GridParameters& grid, const ivec3& cell) { return cellNumber(grid, cell); }
 
 Bounds boundsOfCell(const GridParameters& grid, const ivec3& cell) {
   const vec3 centre = gridCellCentre(grid, cell), half(0.5f * grid.cellEdge);
@@ -152,15 +151,22 @@ AreaTargets targetsOf(const FrameSnapshot& frame, const PixelArea& area) {
   return marker.targets();
 }
 
+// How many rays read each cell, x fastest; empty where the frame can't say.
+std::vector<CellRays> raysOfCells(const FrameSnapshot& frame) {
+  if (!frame.rays || !frame.worldTriangles) return {};
+  return countCellRays({*frame.grid, frame.scene->numbered, *frame.worldTriangles, frame.parameters.trace}, *frame.rays);
+}
+
 Sheet cellSheet(const FrameSnapshot& frame, const std::optional<PixelArea>& area) {
   const Grid& grid = *frame.grid;
   const GridParameters& shape = grid.parameters;
   const bool costs = frame.ledger && frame.truths;
+  const std::vector<CellRays> cellRays = raysOfCells(frame);
   Sheet sheet{.name = "cells"};
   sheet.columns = {places("cell", "x, y, z of the cell", shape.cellCount), numbers("tried", "References that the cell was asked to take: stored and refused"),
                    numbers("stored", "References in its slots"), numbers("refused", "References that found no slot"),
                    numbers("occupancy", "Slots taken", ColumnKind::percent),
-                   numbers("read by rays", "Rays of this frame that tested its references", ColumnKind::whole, bool(frame.cellRays)),
+                   numbers("read by rays", "Rays of this frame that tested its references", ColumnKind::whole, !cellRays.empty()),
                    numbers("rays lost", "Rays that do not agree with the exact hit because of what took place here", ColumnKind::whole, costs)};
 
   std::vector<uint32_t> raysLost(costs ? size_t(shape.cellCount.x) * size_t(shape.cellCount.y) * size_t(shape.cellCount.z) : 0);
@@ -173,7 +179,7 @@ Sheet cellSheet(const FrameSnapshot& frame, const std::optional<PixelArea>& area
   for (uint32_t id = 0; id < cellCount; ++id) {
     const FullCell cell = fullnessOf(grid, cellOfId(shape, id));
     if (cell.tried() == 0) continue;
-    const double readBy = frame.cellRays && id < frame.cellRays->size() ? double((*frame.cellRays)[id].read) : NAN;
+    const double readBy = id < cellRays.size() ? double(cellRays[id].read) : NAN;
     addRow(sheet, id, {double(id), double(cell.tried()), double(cell.stored), double(cell.refused), 100.0 * cell.stored / shape.capacity, readBy,
                        costs ? double(raysLost[id]) : NAN});
     if (area) sheet.inArea.push_back(targets.cells[id]);
@@ -246,7 +252,7 @@ Sheet triangleSheet(const FrameSnapshot& frame, const std::optional<PixelArea>& 
   const NumberedScene& numbered = frame.scene->numbered;
   const TriangleCounts counts = countTriangleCells(frame);
   Sheet sheet{.name = "triangles"};
-  sheet.columns = {numbers("reference", "Its 32 bits in a slot: 65,536 times the instance, plus the triangle"),
+  sheet.columns = {numbers("reference", "Its 32 bits in a slot: instance in the high half, triangle in the low one", ColumnKind::reference),
                    words("mesh", "Name in the file", namesUpTo(frame.scene->names.meshes, meshCount(*frame.scene), "mesh")),
                    numbers("triangle", "Number in its mesh, in the file's order"),
                    numbers("area", "World units squared", ColumnKind::decimal),
@@ -368,14 +374,19 @@ Sheet raySheet(const FrameSnapshot& frame, const std::optional<PixelArea>& area)
 
 }  // namespace
 
+bool canMakeSheet(TableKind kind, const FrameSnapshot& frame) {
+  if (!frame.scene || !frame.request.settings) return false;
+  if (kind == TableKind::rays) return bool(frame.hits);
+  return frame.grid && (kind == TableKind::cells || (frame.instances && frame.worldTriangles));
+}
+
 Sheet makeSheet(TableKind kind, const FrameSnapshot& frame, const std::optional<PixelArea>& area) {
-  if (!frame.scene || !frame.request.settings) return {};
-  const bool placed = frame.grid && frame.instances && frame.worldTriangles;
+  if (!canMakeSheet(kind, frame)) return {};
   switch (kind) {
-    case TableKind::cells: return frame.grid ? cellSheet(frame, area) : Sheet{};
-    case TableKind::instances: return placed ? instanceSheet(frame, area) : Sheet{};
-    case TableKind::triangles: return placed ? triangleSheet(frame, area) : Sheet{};
-    case TableKind::rays: return frame.hits ? raySheet(frame, area) : Sheet{};
+    case TableKind::cells: return cellSheet(frame, area);
+    case TableKind::instances: return instanceSheet(frame, area);
+    case TableKind::triangles: return triangleSheet(frame, area);
+    case TableKind::rays: return raySheet(frame, area);
   }
   return {};
 }
@@ -386,7 +397,7 @@ std::vector<const void*> sheetSources(TableKind kind, const FrameSnapshot& frame
     sources.insert(sources.end(), {frame.hits.get(), frame.counters.get()});
   } else {
     sources.insert(sources.end(), {frame.grid.get(), frame.ledger.get(), frame.instances.get(), frame.worldTriangles.get()});
-    if (kind == TableKind::cells) sources.push_back(frame.cellRays.get());
+    if (kind == TableKind::cells) sources.push_back(frame.rays.get());
   }
   return sources;
 }

@@ -24,6 +24,9 @@ enum class InstanceColumn : size_t { name, mesh, state, triangles, stored, lost,
 enum class TriangleColumn : size_t { reference, mesh, triangle, area, stored, lost, raysLost };
 enum class RayColumn : size_t { pixel, kind, t, visits, tests, verdict, cause };
 
+// Does the snapshot hold what the table shows? While its stages run again it may not.
+bool canMakeSheet(TableKind kind, const FrameSnapshot& frame);
+
 // The pieces of a snapshot that a table is made of: while they stay the same, so does the sheet.
 std::vector<const void*> sheetSources(TableKind kind, const FrameSnapshot& frame);
 

@@ -16,6 +16,7 @@ namespace gridscope {
 
 namespace {
 
+std::string needsScene(const WindowModel& m) { return m.frame && m.frame->scene ? "" : "No frame yet"; }
 std::string needsFrame(const WindowModel& m) { return m.frame && m.frame->hits ? "" : "No frame yet"; }
 std::string needsGrid(const WindowModel& m) { return m.frame && m.frame->grid ? "" : "No grid yet"; }
 std::string needsRecord(const WindowModel& m) { return stepCount(m) > 0 ? "" : "No ray is recorded: click a pixel"; }
@@ -69,10 +70,10 @@ constexpr Action kActions[] = {
     {"View", "Flip A/B", "Space", "Shows B instead of A, and back.", needsCompare, [](WindowModel& m) { m.comparison.flip = !m.comparison.flip; }},
     {"View", "Next colour map", "Ctrl+M", "Viridis, cividis, magma, grey.", nullptr, [](WindowModel& m) { m.colourMap = (m.colourMap + 1) % kColourMapCount; }},
 
-    {"Frame", "Play", "Ctrl+Space", "Time goes on, a frame at a time.", needsFrame, [](WindowModel& m) { m.playing = !m.playing; }},
-    {"Frame", "Next frame", "Ctrl+Right", "One time step forward.", needsFrame, [](WindowModel& m) { stepTime(m, 1); }},
-    {"Frame", "Previous frame", "Ctrl+Left", "One time step back.", needsFrame, [](WindowModel& m) { stepTime(m, -1); }},
-    {"Frame", "First frame", "Ctrl+Up", "Back to time 0.", needsFrame, [](WindowModel& m) { m.request.frame = 0, m.request.timeSeconds = 0.0; }},
+    {"Frame", "Play", "Ctrl+Space", "Time goes on, a frame at a time.", needsScene, [](WindowModel& m) { m.playing = !m.playing; }},
+    {"Frame", "Next frame", "Ctrl+Right", "One time step forward.", needsScene, [](WindowModel& m) { stepTime(m, 1); }},
+    {"Frame", "Previous frame", "Ctrl+Left", "One time step back.", needsScene, [](WindowModel& m) { stepTime(m, -1); }},
+    {"Frame", "First frame", "Ctrl+Up", "Back to time 0.", needsScene, [](WindowModel& m) { m.request.frame = 0, m.request.timeSeconds = 0.0; }},
 
     {"Ray", "Step forward", "Right", "The next step of the recorded ray.", needsRecord, [](WindowModel& m) { goToStep(m, int64_t(m.selected().step) + 1); }},
     {"Ray", "Step back", "Left", "The step before: the exact inverse.", needsRecord, [](WindowModel& m) { goToStep(m, int64_t(m.selected().step) - 1); }},

@@ -53,7 +53,10 @@ void drawBottomTabs(WindowModel& model) {
   for (const Tab& tab : kTabs) {
     if (tab.tab != model.bottomTab) continue;
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(unit(10), unit(6)));
-    if (ImGui::BeginChild(tab.name, {0, 0}, false, ImGuiWindowFlags_AlwaysUseWindowPadding)) tab.draw(model);
+    if (ImGui::BeginChild(tab.name, {0, 0}, false, ImGuiWindowFlags_AlwaysUseWindowPadding)) {
+      if (tab.tab == BottomTab::tune && model.workspace == Workspace::tune) emptyState("The tuner fills the viewport in this workspace.");
+      else tab.draw(model);
+    }
     ImGui::EndChild();
     ImGui::PopStyleVar();
   }

@@ -80,7 +80,7 @@ void drawScrub(WindowModel& model) {
 }
 
 void drawTime(WindowModel& model) {
-  const bool enabled = model.frame && model.frame->hits;
+  const bool enabled = model.frame && model.frame->scene;
   const auto button = [&](const char* name, Glyph glyph) {
     if (glyphButton((std::string("##") + name).c_str(), glyph, enabled)) action(name).run(model);
   };

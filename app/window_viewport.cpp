@@ -228,7 +228,7 @@ void drawToast(const WindowModel& model, ImVec2 low, ImVec2 high) {
 void drawViewport(WindowModel& model) {
   const ImVec2 low = ImGui::GetWindowPos(), size = ImGui::GetWindowSize(), high{low.x + size.x, low.y + size.y};
   model.hoveredPixel.reset();
-  if (model.workspace == Workspace::tune && model.bottomTab != BottomTab::tune) {
+  if (model.workspace == Workspace::tune) {
     ImGui::SetCursorScreenPos({low.x + unit(10), low.y + unit(4)});
     if (ImGui::BeginChild("tuner", {size.x - unit(20), size.y - unit(8)})) drawTuner(model);
     ImGui::EndChild();

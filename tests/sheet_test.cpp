@@ -34,6 +34,10 @@ TEST(Sheet, ACellShowsItsValueAsPeopleReadIt) {
   EXPECT_EQ(sheetText(sheet.columns[3], 0), "4.303");
   SheetColumn pixels{.title = "pixel", .kind = ColumnKind::place, .values = {643}, .extent = ivec3(640, 360, 0)};
   EXPECT_EQ(sheetText(pixels, 0), "3, 1");
+  const SheetColumn references{.title = "reference", .kind = ColumnKind::reference, .values = {3106}};
+  EXPECT_EQ(sheetText(references, 0), "0x00000C22");
+  EXPECT_EQ(found({.name = "triangles", .columns = {references}, .ids = {3106}}, "0x00000c22"), (std::vector<uint32_t>{0}));
+  EXPECT_EQ(found({.name = "triangles", .columns = {references}, .ids = {3106}}, "22"), (std::vector<uint32_t>{}));
 }
 
 TEST(Sheet, RowsAreSortedEitherWayAndWhatIsNotKnownComesLast) {

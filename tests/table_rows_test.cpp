@@ -36,7 +36,7 @@ TEST(TableRows, CellsHaveWhatTheyWereAskedToTake) {
 TEST(TableRows, TrianglesCountTheCellsThatHoldThemAndLossesWaitForTheLedger) {
   SmallFrame small;
   Sheet sheet = makeSheet(TableKind::triangles, small.frame, {});
-  EXPECT_EQ(shown(sheet, makeReference(0, 0)), (Texts{"0", "floor", "0", "0.180", "1", kDash, kDash}));
+  EXPECT_EQ(shown(sheet, makeReference(0, 0)), (Texts{"0x00000000", "floor", "0", "0.180", "1", kDash, kDash}));
   EXPECT_EQ(shown(sheet, makeReference(0, 2))[size_t(TriangleColumn::stored)], "0");
   EXPECT_EQ(shown(sheet, makeReference(1, 0))[size_t(TriangleColumn::mesh)], "post");
 
@@ -44,7 +44,7 @@ TEST(TableRows, TrianglesCountTheCellsThatHoldThemAndLossesWaitForTheLedger) {
   ledger.triangles = {{makeReference(0, 0), 1, 0, 0}, {makeReference(0, 1), 1, 0, 0}, {makeReference(0, 2), 0, 1, 7}, {makeReference(1, 0), 1, 0, 0}};
   small.frame.ledger = std::make_shared<const Ledger>(ledger);
   sheet = makeSheet(TableKind::triangles, small.frame, {});
-  EXPECT_EQ(shown(sheet, makeReference(0, 2)), (Texts{"2", "floor", "2", "0.180", "0", "1", kDash}));
+  EXPECT_EQ(shown(sheet, makeReference(0, 2)), (Texts{"0x00000002", "floor", "2", "0.180", "0", "1", kDash}));
   small.tellTruth();
   sheet = makeSheet(TableKind::triangles, small.frame, {});
   EXPECT_EQ(shown(sheet, makeReference(0, 2))[size_t(TriangleColumn::raysLost)], "7");

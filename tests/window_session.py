@@ -312,7 +312,7 @@ class Tour:
             since = self.log.place()
             self.window.keys("s")
             try:
-                match = self.log.wait(STEP, since, 2.0, "the next saturated cell")
+                match = self.log.wait(STEP, since, 0.8, "the next saturated cell")
             except Failed:
                 match = None
             if match and "saturated" in match.group(3):
