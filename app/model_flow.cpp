@@ -1,4 +1,4 @@
-// See model_flow.h. model_jumps.cpp has the ways to the next step, ray and cell.
+// See model_flow.h. model_jumps.cpp has the ways to the next ray of a kind and the next cell.
 #include "app/model_flow.h"
 
 #include <algorithm>
@@ -8,6 +8,7 @@
 
 #include "app/camera_moves.h"
 #include "app/frame_changes.h"
+#include "app/ray_stepping.h"
 #include "views/view.h"
 
 namespace gridscope {
@@ -118,21 +119,14 @@ static void focusOnWanted(WindowModel& model) {
   if (!inPicture(model.camera.pose, *model.frame->request.settings, 0.5f * (wanted.low + wanted.high))) focusCamera(model.camera, wanted);
 }
 
-void advanceModel(WindowModel& model, double seconds) {
+void advanceModel(WindowModel& model) {
   focusOnWanted(model);
   if (model.frame && model.frame->scene) model.savedBookmarks[model.frame->scene->path] = model.bookmarks;
-  static double steps = 0.0;
+  static double nextStepDue = 0.0;
+  advancePlay(model, nextStepDue);
   if (model.playing && model.frame && !model.frame->stale && model.frame->request.frame == model.request.frame &&
       model.frame->request.timeSeconds == model.request.timeSeconds)
     stepTime(model, 1);
-  if (!model.stepsPlaying) {
-    steps = 0.0;
-    return;
-  }
-  steps += seconds * double(model.stepsPerSecond);
-  const uint32_t count = stepCount(model), step = model.selected().step;
-  if (count == 0 || step + 1 >= count) model.stepsPlaying = false;
-  else if (steps >= 1.0) goToStep(model, int64_t(step) + int64_t(steps)), steps = 0.0;
 }
 
 void showIn(WindowModel& model, Workspace workspace) {

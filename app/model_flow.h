@@ -13,8 +13,8 @@ bool sameRequest(const FrameRequest& a, const FrameRequest& b);
 // A new snapshot has come.
 void takeFrame(WindowModel& model, std::shared_ptr<const FrameSnapshot> frame);
 
-// `seconds` have passed: plays time and steps.
-void advanceModel(WindowModel& model, double seconds);
+// Once a display frame: plays time and steps, and takes the camera to what is wanted.
+void advanceModel(WindowModel& model);
 
 // View, panes, overlays and bottom tab of a workspace.
 void showIn(WindowModel& model, Workspace workspace);
@@ -25,16 +25,6 @@ void setTime(WindowModel& model, double seconds);
 void showView(WindowModel& model, const std::string& view);     // in the active pane
 void undoSetting(WindowModel& model);
 void declineTruth(WindowModel& model);                          // until it is asked for again
-
-// Steps of the recorded ray. `kind`: as the keys E T S V X. False: there is none.
-enum class StepKind { nonEmpty, tested, saturated, revisit, voxelHit };
-bool goToNextStep(WindowModel& model, StepKind kind);
-std::optional<uint32_t> nextStep(const RecordedRay& record, uint32_t from, StepKind kind);
-void goToStep(WindowModel& model, int64_t step);                // clamped
-uint32_t stepCount(const WindowModel& model);
-
-// Another ray of the order that the Rays table shows.
-void goToRay(WindowModel& model, int direction);
 
 // The next ray of that kind behind the selected one, in the order of pixels; asks for the truth first where it is not told yet.
 void jumpTo(WindowModel& model, Jump jump);

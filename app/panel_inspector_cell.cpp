@@ -47,9 +47,9 @@ void drawFillBar(const FrameSnapshot& frame, const CellContents& contents) {
   smallText(printed("%zu stored of %d", contents.stored.size(), frame.grid->parameters.capacity), uiColour(UiColour::text));
   if (contents.refusedCount == 0) return;
   ImGui::SameLine(0.0f, unit(16));
-  smallText(printed("%u refused", contents.refusedCount), meaningColour(kColourSaturated));
+  smallText(grouped(contents.refusedCount) + " refused", meaningColour(kColourSaturated));
   ImGui::SameLine(0.0f, unit(16));
-  smallText(printed("%zu tried", contents.stored.size() + contents.refusedCount), uiColour(UiColour::text));
+  smallText(grouped(contents.stored.size() + contents.refusedCount) + " tried", uiColour(UiColour::text));
 }
 
 void drawFacts(WindowModel& model, ivec3 cell, const CellContents& contents) {

@@ -125,10 +125,19 @@ void verdictCell(const TestRow& row) {
   if (row.test.verdict == kTestAlpha) whyTooltip("Turned down: the byte read from the alpha map is below the material's threshold");
 }
 
+// Over all columns.
+void drawMeshName(const WindowModel& model, const TestRow& row) {
+  const ImVec2 place = ImGui::GetCursorScreenPos();
+  const float right = ImGui::GetWindowPos().x + ImGui::GetWindowWidth();
+  ImGui::PushClipRect(ImVec2(place.x, place.y - unit(2)), ImVec2(right, place.y + tableRowHeight()), false);
+  smallText(meshName(*model.frame->scene, row.mesh) + printed(", %u reference%s", row.count, row.count == 1 ? "" : "s"), uiColour(UiColour::dim));
+  ImGui::PopClipRect();
+}
+
 void drawTestRow(WindowModel& model, const TestRow& row, int id) {
   ImGui::TableNextRow(0, tableRowHeight());
   ImGui::TableSetColumnIndex(0);
-  if (row.isMesh) return smallText(meshName(*model.frame->scene, row.mesh) + printed(", %u reference%s", row.count, row.count == 1 ? "" : "s"), uiColour(UiColour::dim));
+  if (row.isMesh) return drawMeshName(model, row);
   ImGui::PushID(id);
   const ImVec2 place = ImGui::GetCursorScreenPos();
   if (rowSelectable(row.best || row.filled || row.wouldHit)) model.selection.selectTriangle(row.test.reference);

@@ -66,7 +66,7 @@ void drawSpeed(WindowModel& model) {
   ImGui::AlignTextToFramePadding();
   textDim("Speed");
   ImGui::SameLine(0.0f, unit(6));
-  ImGui::SetNextItemWidth(unit(70));
+  ImGui::SetNextItemWidth(unit(56));
   ImGui::PushFont(windowFonts().mono);
   ImGui::SliderFloat("##speed", &model.stepsPerSecond, 1.0f, 60.0f, "%.0f / s", ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp);
   ImGui::PopFont();
@@ -96,10 +96,14 @@ void drawSearches(WindowModel& model, const RayRecord& record, uint32_t step) {
   }
 }
 
+// Room, pixels at UI scale 1, from which the light's words stand beside it, with the neighbouring rays behind.
+constexpr float kWideLight = 380.0f;
+
 // The light, and the neighbouring rays, at the right where there is room.
 void drawRayLine(WindowModel& model, const RecordedRay& ray) {
-  const char* said = ray.equalsFrame ? "Record equals the frame's hit" : "Record differs from the frame's hit";
-  ImGui::SameLine(0.0f, unit(16));
+  ImGui::SameLine(0.0f, unit(12));
+  const bool wide = ImGui::GetContentRegionAvail().x > unit(kWideLight);
+  const char* said = ray.equalsFrame ? (wide ? "Record equals the frame's hit" : "equal") : (wide ? "Record differs from the frame's hit" : "differs");
   const ImVec2 place = ImGui::GetCursorScreenPos();
   const ImU32 colour = packed(meaningColour(ray.equalsFrame ? kColourTriangleHit : kColourHole));
   ImGui::GetWindowDrawList()->AddCircleFilled(ImVec2(place.x + unit(4), place.y + unit(12)), unit(4), colour, 12);
@@ -107,9 +111,10 @@ void drawRayLine(WindowModel& model, const RecordedRay& ray) {
   ImGui::SameLine(0.0f, unit(6));
   ImGui::AlignTextToFramePadding();
   textDim(said);
-  whyTooltip(("The recording trace ended with: " + hitWords(ray.record.hit) + "\nThe frame's trace ended with: " + hitWords(ray.frameHit)).c_str());
+  whyTooltip((std::string(ray.equalsFrame ? "Record equals the frame's hit" : "Record differs from the frame's hit") +
+              "\nThe recording trace ended with: " + hitWords(ray.record.hit) + "\nThe frame's trace ended with: " + hitWords(ray.frameHit)).c_str());
 
-  ImGui::SameLine(0.0f, unit(16));
+  ImGui::SameLine(0.0f, unit(12));
   if (keyButton("Previous", "[")) nextRay(model, -1);
   whyTooltip(("The ray before in the order of " + model.rayOrder.name).c_str());
   ImGui::SameLine(0.0f, unit(4));

@@ -255,7 +255,7 @@ class Window {
     ImGui_ImplVulkan_NewFrame();
     ImGui::NewFrame();
     for (const KeyPress& key : pressed) runKey(model_, key);
-    advanceModel(model_, sinceLast);
+    advanceModel(model_);
     drawLayout(model_, float(size.width), float(size.height));
     logChanges(model_, logged_);
     ImGui::Render();

@@ -9,6 +9,7 @@
 
 #include "app/camera_moves.h"
 #include "app/model_flow.h"
+#include "app/ray_stepping.h"
 #include "app/window_widgets.h"
 #include "core/error.h"
 
@@ -19,7 +20,7 @@ namespace {
 std::string needsScene(const WindowModel& m) { return m.frame && m.frame->scene ? "" : "No frame yet"; }
 std::string needsFrame(const WindowModel& m) { return m.frame && m.frame->hits ? "" : "No frame yet"; }
 std::string needsGrid(const WindowModel& m) { return m.frame && m.frame->grid ? "" : "No grid yet"; }
-std::string needsRecord(const WindowModel& m) { return stepCount(m) > 0 ? "" : "No ray is recorded: click a pixel"; }
+std::string needsRecord(const WindowModel& m) { return shownStep(m) ? "" : "No ray is recorded: click a pixel"; }
 std::string needsUndo(const WindowModel& m) { return m.undo.empty() ? "No setting was changed" : ""; }
 std::string needsSelection(const WindowModel& m) { return selectedBounds(m).empty() ? "Nothing is selected" : ""; }
 std::string needsCompare(const WindowModel& m) { return m.layout == ViewportLayout::compare ? "" : "Only in the A/B layout of the viewport"; }
@@ -27,8 +28,6 @@ std::string needsComplete(const WindowModel& m) {
   if (!m.frame || !m.frame->hits) return "No frame yet";
   return m.frame->stale ? "The frame is still being traced" : "";
 }
-
-void goToEndStep(WindowModel& m) { goToStep(m, INT32_MAX); }
 
 void openCaptureDialog(WindowModel& m) {
   m.captureName = m.frame->scene->name.substr(0, m.frame->scene->name.find('.'));
@@ -75,22 +74,18 @@ constexpr Action kActions[] = {
     {"Frame", "Previous frame", "Ctrl+Left", "One time step back.", needsScene, [](WindowModel& m) { stepTime(m, -1); }},
     {"Frame", "First frame", "Ctrl+Up", "Back to time 0.", needsScene, [](WindowModel& m) { m.request.frame = 0, m.request.timeSeconds = 0.0; }},
 
-    {"Ray", "Step forward", "Right", "The next step of the recorded ray.", needsRecord, [](WindowModel& m) { goToStep(m, int64_t(m.selected().step) + 1); }},
-    {"Ray", "Step back", "Left", "The step before: the exact inverse.", needsRecord, [](WindowModel& m) { goToStep(m, int64_t(m.selected().step) - 1); }},
-    {"Ray", "First step", "Home", "Where the ray starts.", needsRecord, [](WindowModel& m) { goToStep(m, 0); }},
-    {"Ray", "Last step", "End", "Where it ends.", needsRecord, goToEndStep},
-    {"Ray", "Play steps", "P", "Goes through the steps by itself.", needsRecord,
-     [](WindowModel& m) {
-       if (!m.stepsPlaying && m.selected().step + 1 >= stepCount(m)) goToStep(m, 0);
-       m.stepsPlaying = !m.stepsPlaying;
-     }},
-    {"Ray", "Next non-empty", "E", "To the next cell that held references.", needsRecord, [](WindowModel& m) { goToNextStep(m, StepKind::nonEmpty); }},
-    {"Ray", "Next tested", "T", "To the next step that tested a triangle.", needsRecord, [](WindowModel& m) { goToNextStep(m, StepKind::tested); }},
-    {"Ray", "Next saturated", "S", "To the next saturated cell on the way.", needsRecord, [](WindowModel& m) { goToNextStep(m, StepKind::saturated); }},
-    {"Ray", "Next revisit", "V", "To the next step that stayed in its cell.", needsRecord, [](WindowModel& m) { goToNextStep(m, StepKind::revisit); }},
-    {"Ray", "Voxel hit", "X", "To the step that filled the gap.", needsRecord, [](WindowModel& m) { goToNextStep(m, StepKind::voxelHit); }},
-    {"Ray", "Next ray", "]", "In the order of the Rays table.", needsFrame, [](WindowModel& m) { goToRay(m, 1); }},
-    {"Ray", "Previous ray", "[", "In the order of the Rays table.", needsFrame, [](WindowModel& m) { goToRay(m, -1); }},
+    {"Ray", "Step forward", "Right", "The next step of the recorded ray.", needsRecord, stepForward},
+    {"Ray", "Step back", "Left", "The step before: the exact inverse.", needsRecord, stepBack},
+    {"Ray", "First step", "Home", "Where the ray starts.", needsRecord, stepFirst},
+    {"Ray", "Last step", "End", "Where it ends.", needsRecord, stepLast},
+    {"Ray", "Play steps", "P", "Goes through the steps by itself.", needsRecord, togglePlay},
+    {"Ray", "Next non-empty", "E", "To the next step that starts in a cell with references.", needsRecord, [](WindowModel& m) { stepToNext(m, StepSearch::nonEmpty); }},
+    {"Ray", "Next tested", "T", "To the next step that tested a triangle.", needsRecord, [](WindowModel& m) { stepToNext(m, StepSearch::tested); }},
+    {"Ray", "Next saturated", "S", "To the next saturated cell on the way.", needsRecord, [](WindowModel& m) { stepToNext(m, StepSearch::saturated); }},
+    {"Ray", "Next revisit", "V", "To the next step that starts in the cell visited last.", needsRecord, [](WindowModel& m) { stepToNext(m, StepSearch::revisit); }},
+    {"Ray", "Voxel hit", "X", "To the step that filled the gap.", needsRecord, [](WindowModel& m) { stepToNext(m, StepSearch::voxelHit); }},
+    {"Ray", "Next ray", "]", "In the order of the Rays table.", needsFrame, [](WindowModel& m) { nextRay(m, 1); }},
+    {"Ray", "Previous ray", "[", "In the order of the Rays table.", needsFrame, [](WindowModel& m) { nextRay(m, -1); }},
     {"Ray", "Step this ray", "Enter", "Opens the steps of the selected pixel's ray.", needsRecord,
      [](WindowModel& m) { m.showTab(BottomTab::steps), m.selection.selectStep(m.selected().step); }},
 

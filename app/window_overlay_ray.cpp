@@ -174,7 +174,7 @@ void drawCallouts(const OverlayPainter& painter, const FrameSnapshot& frame, con
   const bool atEnd = facts.index == last && (ray.record.hit.kind == kHitVoxel || ray.record.hit.kind == kHitTriangle);
   const std::optional<ImVec2> step = painter.place(rayPoint(ray.ray, atEnd ? ray.record.hit.t : facts.startT));
   if (step && painter.inPane(*step)) drawCallout(painter, *step, ImVec2(across.x * unit(130), across.y * unit(80) - unit(16)), stepLines(frame, ray, facts));
-  if (origin && painter.inPane(*origin) && frame.request.settings)
+  if (origin && painter.inPane(*origin) && frame.request.settings && facts.index > 0)
     drawCallout(painter, *origin, ImVec2(-across.x * unit(120) - along.x * unit(60), -across.y * unit(60) + unit(16)), originLines(frame, ray));
 }
 

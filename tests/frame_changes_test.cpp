@@ -68,19 +68,6 @@ TEST(SceneEdits, WhatIsMadeDynamicMovesByItsOffsetInTheWorld) {
   EXPECT_NEAR(after[3].y, before[3].y + 2.0f, 1e-4f);
 }
 
-TEST(ModelFlow, KeysGoToTheNextStepOfTheirKind) {
-  RecordedRay ray;
-  ray.record.steps = {{.outcome = kStepEmpty}, {.outcome = kStepRevisit}, {.outcome = kStepRead, .tests = {TestRecord{}}},
-                      {.outcome = kStepRead, .tests = {TestRecord{}}, .saturated = true}};
-  ray.record.hit.kind = kHitVoxel;
-  EXPECT_EQ(nextStep(ray, 0, StepKind::revisit), 1u);
-  EXPECT_EQ(nextStep(ray, 0, StepKind::nonEmpty), 2u);
-  EXPECT_EQ(nextStep(ray, 2, StepKind::tested), 3u);
-  EXPECT_EQ(nextStep(ray, 0, StepKind::saturated), 3u);
-  EXPECT_EQ(nextStep(ray, 0, StepKind::voxelHit), 3u);
-  EXPECT_EQ(nextStep(ray, 3, StepKind::nonEmpty), std::nullopt);
-}
-
 TEST(ModelFlow, UndoTakesBackTheLastSetting) {
   WindowModel model;
   model.request.settings = FrameSettings{};
