@@ -5,6 +5,7 @@
 #include "app/text.h"
 #include "core/compare.h"
 #include "core/error.h"
+#include "core/record_check.h"
 
 namespace gridscope {
 
@@ -45,11 +46,28 @@ nlohmann::ordered_json stepJson(const StepRecord& step, const Comparison& how) {
   return json;
 }
 
+// Exit code 1 when the recorded rays do not end as the frame's did.
+int compareRandomRays(const Options& options, Session& session) {
+  const RecordComparison comparison = compareRecords(session.pipeline(), options.captures.randomPixels);
+  const uint32_t width = session.pipeline().settings().width;
+  std::FILE* out = textStream(options);
+  std::fprintf(out, "%s of %s recorded rays of %s end with the frame's hit\n", grouped(comparison.compared - comparison.different.size()).c_str(),
+               grouped(comparison.compared).c_str(), session.scene().name.c_str());
+  nlohmann::ordered_json json = {{"compared", comparison.compared}, {"different", nlohmann::ordered_json::array()}};
+  for (uint32_t pixel : comparison.different) {
+    std::fprintf(out, "  %s does not\n", pixelText(pixel, width).c_str());
+    json["different"].push_back({pixel % width, pixel / width});
+  }
+  writeJson(options, json);
+  return comparison.different.empty() && session.validationMessages() == 0 ? kExitDone : kExitDifferent;
+}
+
 }  // namespace
 
 void addRayOptions(CLI::App& command, Options& options) {
   addFrameOptions(command, options);
   addPixelOption(command, options);
+  addRandomPixelsOption(command, options);
   addJsonOption(command, options);
 }
 
@@ -66,6 +84,11 @@ int runRay(const Options& options) {
   session.build();
   session.update(0);
   session.makeRays(0);
+  if (options.captures.randomPixels > 0) {
+    pipeline.trace(false);
+    progress.clear();
+    return compareRandomRays(options, session);
+  }
   const uint32_t pixel = y * settings.width + x;
   const Ray ray = pipeline.rays()[pixel];
   const RayRecord record = pipeline.record(pixel);

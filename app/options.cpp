@@ -355,6 +355,11 @@ void addPixelOption(CLI::App& command, Options& options) {
   });
 }
 
+void addRandomPixelsOption(CLI::App& command, Options& options) {
+  OptionGroup(command, "Ray").whole("--random", options.captures.randomPixels, {0, 1000000}, "0",
+                                    "Record as many rays instead, and compare their ends with the frame's hits");
+}
+
 void addTuneChoices(CLI::App& command, Options& options) {
   OptionGroup group(command, "Sweep");
   TuneAxes& axes = options.tune.axes;

