@@ -1,5 +1,7 @@
 // What some views need beside the frame's products (View::need): found out once such a view is shown, and given to the pipeline
 // (frame_maker.h).
+#include <algorithm>
+
 #include "app/frame_maker.h"
 
 #include "core/cell_rays.h"
@@ -30,15 +32,31 @@ void FrameMaker::keepGridBeforeUpdate() {
   gridBefore_ = wantsFinding(ViewNeed::cellUpdates) && !current_.scene->foreign ? pipeline_->grid() : Grid{};
 }
 
+// Piece by piece, so that another request need not wait for all of them.
+bool FrameMaker::countReads() {
+  if (current_.cellRays) return true;
+  constexpr size_t kRaysPerPiece = 16384;
+  const std::span<const Ray> rays(*current_.rays);
+  std::vector<CellRays> counts(cellCountOf(current_.grid->parameters));
+  for (size_t first = 0; first < rays.size(); first += kRaysPerPiece) {
+    if (interrupted()) return false;
+    const std::vector<CellRays> piece = countCellRays(traceInput(), rays.subspan(first, std::min(kRaysPerPiece, rays.size() - first)));
+    for (size_t cell = 0; cell < counts.size(); ++cell) counts[cell].read += piece[cell].read, counts[cell].empty += piece[cell].empty;
+  }
+  current_.cellRays = std::make_shared<const std::vector<CellRays>>(std::move(counts));
+  publish(false);
+  return true;
+}
+
 bool FrameMaker::findAboutCells() {
+  if (!countReads()) return false;
   const auto missing = [&](ViewNeed need) { return wantsFinding(need) && !findings_.contains(need); };
   if (missing(ViewNeed::cellUpdates) && !gridBefore_.texels.empty()) {
     pipeline_->useCellUpdates(compareUpdate(gridBefore_, *current_.grid));
     found(ViewNeed::cellUpdates);
   }
   if (missing(ViewNeed::cellRays)) {
-    if (interrupted()) return false;
-    pipeline_->useCellRays(countCellRays(traceInput(), *current_.rays));
+    pipeline_->useCellRays(*current_.cellRays);
     found(ViewNeed::cellRays);
   }
   if (missing(ViewNeed::stability)) {

@@ -47,7 +47,7 @@ void FrameMaker::fail(const std::string& fault) {
 
 void FrameMaker::forgetPixels() {
   current_.gather.reset(), current_.rays.reset(), current_.hits.reset(), current_.counters.reset();
-  current_.exact.reset(), current_.truths.reset(), current_.proofs.reset(), current_.record.reset();
+  current_.exact.reset(), current_.truths.reset(), current_.proofs.reset(), current_.cellRays.reset(), current_.record.reset();
   current_.truthTotals = {};
 }
 
@@ -242,7 +242,7 @@ bool FrameMaker::traceTiles() {
       const View* view = findView(name);
       return !view || view->scope == ViewScope::ray || view->needsCounters;
     });
-    current_.exact.reset(), current_.truths.reset(), current_.proofs.reset(), current_.record.reset();
+    current_.exact.reset(), current_.truths.reset(), current_.proofs.reset(), current_.cellRays.reset(), current_.record.reset();
     findings_ = findings_.contains(ViewNeed::cellUpdates) ? std::set{ViewNeed::cellUpdates} : std::set<ViewNeed>{};
     if (!fillViews(false)) return false;
   }

@@ -59,6 +59,7 @@ class FrameMaker {
   bool wantsFinding(ViewNeed need) const;
   void found(ViewNeed need);
   void keepGridBeforeUpdate();
+  bool countReads();
   bool findAboutCells();
   void compareSomeBuilds();
   bool showTruths();

@@ -80,6 +80,7 @@ struct FrameSnapshot {
   std::shared_ptr<const std::vector<Hit>> exact;         // null until the truth is told
   std::shared_ptr<const std::vector<RayTruth>> truths;   // likewise
   TruthTotals truthTotals;
+  std::shared_ptr<const std::vector<CellRays>> cellRays; // by cell, x fastest; null until asked for
   std::shared_ptr<const ProofTotals> proofs;             // null until asked for
   std::shared_ptr<const RecordedRay> record;             // of request.recordPixel; null: none, or on its way
 

@@ -7,7 +7,6 @@
 
 #include "app/find_next.h"
 #include "app/text.h"
-#include "core/cell_rays.h"
 
 namespace gridscope {
 
@@ -151,22 +150,15 @@ AreaTargets targetsOf(const FrameSnapshot& frame, const PixelArea& area) {
   return marker.targets();
 }
 
-// How many rays read each cell, x fastest; empty where the frame can't say.
-std::vector<CellRays> raysOfCells(const FrameSnapshot& frame) {
-  if (!frame.rays || !frame.worldTriangles) return {};
-  return countCellRays({*frame.grid, frame.scene->numbered, *frame.worldTriangles, frame.parameters.trace}, *frame.rays);
-}
-
 Sheet cellSheet(const FrameSnapshot& frame, const std::optional<PixelArea>& area) {
   const Grid& grid = *frame.grid;
   const GridParameters& shape = grid.parameters;
   const bool costs = frame.ledger && frame.truths;
-  const std::vector<CellRays> cellRays = raysOfCells(frame);
   Sheet sheet{.name = "cells"};
   sheet.columns = {places("cell", "x, y, z of the cell", shape.cellCount), numbers("tried", "References that the cell was asked to take: stored and refused"),
                    numbers("stored", "References in its slots"), numbers("refused", "References that found no slot"),
                    numbers("occupancy", "Slots taken", ColumnKind::percent),
-                   numbers("read by rays", "Rays of this frame that tested its references", ColumnKind::whole, !cellRays.empty()),
+                   numbers("read by rays", "Rays of this frame that tested its references", ColumnKind::whole, bool(frame.cellRays)),
                    numbers("rays lost", "Rays that do not agree with the exact hit because of what took place here", ColumnKind::whole, costs)};
 
   std::vector<uint32_t> raysLost(costs ? size_t(shape.cellCount.x) * size_t(shape.cellCount.y) * size_t(shape.cellCount.z) : 0);
@@ -179,7 +171,7 @@ Sheet cellSheet(const FrameSnapshot& frame, const std::optional<PixelArea>& area
   for (uint32_t id = 0; id < cellCount; ++id) {
     const FullCell cell = fullnessOf(grid, cellOfId(shape, id));
     if (cell.tried() == 0) continue;
-    const double readBy = id < cellRays.size() ? double(cellRays[id].read) : NAN;
+    const double readBy = frame.cellRays && id < frame.cellRays->size() ? double((*frame.cellRays)[id].read) : NAN;
     addRow(sheet, id, {double(id), double(cell.tried()), double(cell.stored), double(cell.refused), 100.0 * cell.stored / shape.capacity, readBy,
                        costs ? double(raysLost[id]) : NAN});
     if (area) sheet.inArea.push_back(targets.cells[id]);
@@ -397,7 +389,7 @@ std::vector<const void*> sheetSources(TableKind kind, const FrameSnapshot& frame
     sources.insert(sources.end(), {frame.hits.get(), frame.counters.get()});
   } else {
     sources.insert(sources.end(), {frame.grid.get(), frame.ledger.get(), frame.instances.get(), frame.worldTriangles.get()});
-    if (kind == TableKind::cells) sources.push_back(frame.rays.get());
+    if (kind == TableKind::cells) sources.push_back(frame.cellRays.get());
   }
   return sources;
 }
