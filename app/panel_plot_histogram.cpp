@@ -176,8 +176,7 @@ void drawRange(WindowModel& model, const PlotFrame& plot, const PlotScale& scale
 
 void drawButtons(WindowModel& model, const CountedWords& words, float right, float top) {
   Pane* pane = paneShowing(model, words);
-  const View* view = findView(words.views[0]);
-  const std::string label = pane ? "Fit  R" : "Show " + (view ? std::string(view->title) : words.views[0]);
+  const std::string label = pane ? "Fit  R" : std::string("Show ") + words.views[0];
   ImGui::SetCursorScreenPos(ImVec2(right - smallButtonWidth(label.c_str()) - unit(4), top + unit(1)));
   const bool possible = !pane || pane->range.has_value();
   if (!smallButton(label.c_str(), words.title, pane ? "Fits the colour range to the values" : "Shows the view of these values", possible,
@@ -192,7 +191,7 @@ void drawButtons(WindowModel& model, const CountedWords& words, float right, flo
 void drawHistogram(WindowModel& model, int place, const ImVec2& low, const ImVec2& high) {
   static std::array<HistogramPanel, 2> panels{HistogramPanel{0}, HistogramPanel{2}};
   HistogramPanel& panel = panels[size_t(place)];
-  drawChoice(panel, place, low, high.x - low.x - unit(64));
+  drawChoice(panel, place, low, high.x - low.x - unit(paneShowing(model, kWords[panel.counted]) ? 64.0f : 112.0f));
   const CountedWords words = kWords[panel.counted];
   wantHistogram(model, panel);
   drawButtons(model, words, high.x, low.y);
@@ -204,7 +203,7 @@ void drawHistogram(WindowModel& model, int place, const ImVec2& low, const ImVec
   }
 
   const double width = histogram->width, capacity = model.frame->parameters.grid.capacity;
-  const double end = std::max(double(histogram->counts.size()) * width, words.what == Counted::stored ? capacity + 1.0 : 1.0);
+  const double end = std::max(double(histogram->counts.size() - 1) * width, words.what == Counted::stored ? capacity : 1.0);
   const PlotScale x{.low = 0.0, .high = end}, y = scaleOfTens(0.7, std::max<double>(10.0, double(histogram->most())));
   PlotLook look{.x = x, .y = {.low = 0.7, .high = y.high, .logarithmic = true}, .footHeight = 16.0f};
   const PlotFrame plot(look, low, high);

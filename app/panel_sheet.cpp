@@ -109,7 +109,7 @@ void setUpColumns(const Sheet& sheet, const SheetPanel& panel, const SheetAction
     if (index == panel.order.column) flags |= ImGuiTableColumnFlags_DefaultSort;
     ImGui::TableSetupColumn(column.title.c_str(), flags, columnWeight(column), static_cast<ImGuiID>(index));
   }
-  if (actions.lastTitle) ImGui::TableSetupColumn(actions.lastTitle, ImGuiTableColumnFlags_NoSort, 2.0f, static_cast<ImGuiID>(sheet.columns.size()));
+  if (actions.lastTitle) ImGui::TableSetupColumn(actions.lastTitle, ImGuiTableColumnFlags_NoSort, 2.7f, static_cast<ImGuiID>(sheet.columns.size()));
   ImGui::TableSetupScrollFreeze(0, 1);
 }
 

@@ -47,12 +47,31 @@ class Child:
 
 
 class Display:
-    """Xvfb on a free display number, which it chooses itself."""
+    """Xvfb on a free display number, which it chooses itself. Two that start at one time may choose the same: the one that fails tries again."""
 
     def __init__(self):
+        for _ in range(5):
+            self.start()
+            if self.answers():
+                return
+            self.child.end()
+        raise Failed("Xvfb could not be started five times")
+
+    def answers(self):
+        for _ in range(20):
+            if self.child.process.poll() is not None:
+                return False
+            asked = subprocess.run(["xdotool", "getdisplaygeometry"], env=dict(os.environ, DISPLAY=self.name), stdin=subprocess.DEVNULL,
+                                   stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, timeout=SHORT_SECONDS)
+            if asked.returncode == 0:
+                return True
+            time.sleep(0.25)
+        return False
+
+    def start(self):
         read_end, write_end = os.pipe()
         try:
-            self.child = Child(["Xvfb", "-displayfd", str(write_end), "-screen", "0", "1920x1200x24", "-nolisten", "tcp"],
+            self.child = Child(["Xvfb", "-displayfd", str(write_end), "-screen", "0", "1920x1200x24", "-noreset", "-nolisten", "tcp"],
                                pass_fds=[write_end], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
             os.close(write_end)
             write_end = None
