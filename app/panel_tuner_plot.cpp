@@ -1,6 +1,7 @@
 // The tuner's plot: wrong rays of every setting against memory or trace time, the front, the limits, and the settings that matter.
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "app/panel_plot_frame.h"
 #include "app/panel_tuner.h"
@@ -114,6 +115,22 @@ void drawLimit(const PlotFrame& plot, const PlotScale& scale, TunerPanel& tuner,
   plotText(ImVec2(left, plot.low().y + unit(1)), text, uiColour(UiColour::text), false);
 }
 
+// A square of each capacity's colour, at the right end of the title's line.
+void drawCapacities(const TunerPanel& tuner, const ImVec2& rightTop) {
+  std::set<uint32_t> capacities;
+  for (const TuneRow& row : tuner.state.rows) capacities.insert(row.grid.capacity);
+  float x = rightTop.x - unit(6);
+  for (auto capacity = capacities.rbegin(); capacity != capacities.rend(); ++capacity) {
+    const std::string text = std::to_string(*capacity);
+    x -= plotTextWidth(text, true);
+    plotText(ImVec2(x, rightTop.y + unit(3)), text, uiColour(UiColour::dim), true);
+    x -= unit(12);
+    ImGui::GetWindowDrawList()->AddRectFilled(ImVec2(x, rightTop.y + unit(6)), ImVec2(x + unit(8), rightTop.y + unit(14)), packed(capacityColour(tuner, *capacity)));
+    x -= unit(8);
+  }
+  plotText(ImVec2(x - plotTextWidth("capacity", false), rightTop.y + unit(3)), "capacity", uiColour(UiColour::dim), false);
+}
+
 std::string readOut(const TuneRow& row) {
   return tuneTitle(row) + printed("\n%.1f %% wrong, %.1f MiB, trace %.1f ms\n", wrongShare(row), memoryOf(row) / kMiB, traceTimeOf(row)) +
          grouped(row.refused) + " refused, " + grouped(row.saturated) + " saturated cells\nClick: apply it";
@@ -149,10 +166,11 @@ void drawNow(const WindowModel& model, const TunerPanel& tuner, const PlotFrame&
 void drawTunerPlot(WindowModel& model, TunerPanel& tuner, bool againstTime, const ImVec2& low, const ImVec2& high) {
   const bool tall = high.y - low.y > unit(260);
   const PlotScale scale = amountScale(tuner, againstTime);
-  PlotLook look{.title = "Wrong rays", .note = tall ? "circle: plane, square: exact" : "", .x = scale, .y = wrongScale(tuner), .yUnit = " %", .gridX = true};
+  PlotLook look{.title = "Wrong rays", .note = tall && !againstTime ? "circle: plane, square: exact" : "", .x = scale, .y = wrongScale(tuner), .yUnit = " %", .gridX = true};
   look.xTitle = againstTime ? "trace, ms (" + grouped(tuner.state.width) + " \u00d7 " + grouped(tuner.state.height) + " rays, this device)" : "memory of the grid image, MiB";
   const PlotFrame plot(look, low, high);
   if (!plot.drawn()) return;
+  if (tall && againstTime) drawCapacities(tuner, ImVec2(high.x, low.y));
   if (tuner.state.rows.front().measured()) drawLimit(plot, scale, tuner, againstTime);
   drawFront(plot, tuner, againstTime);
   const std::optional<size_t> under = pointUnder(plot, tuner, againstTime);

@@ -47,9 +47,9 @@ const TunerColumn kColumns[] = {
     {"refused", "References that found no slot", true, 1.0f, 2, [](const TuneRow& row) { return row.measured() ? grouped(row.refused) : "\u2013"; }},
     {"saturated", "Cells that refused one or more", true, 1.0f, 3, [](const TuneRow& row) { return row.measured() ? grouped(row.saturated) : "\u2013"; }},
     {"holes", "A surface is there, the ray missed everything", true, 0.8f, 3, [](const TuneRow& row) { return percent(share(row.verdicts[kVerdictHole], row)); }},
-    {"voxel wrong", "Voxel hits farther than a cell's diagonal from the true surface", true, 1.1f, 3,
+    {"voxel wrong", "Voxel hits farther than a cell's diagonal from the true surface", true, 1.2f, 3,
      [](const TuneRow& row) { return percent(share(row.verdicts[kVerdictVoxelWrong], row)); }},
-    {"far, near", "Triangle hits behind or before the true surface", true, 0.9f, 3,
+    {"far, near", "Triangle hits behind or before the true surface", true, 1.0f, 3,
      [](const TuneRow& row) { return percent(share(row.verdicts[kVerdictTooFar] + row.verdicts[kVerdictTooNear], row)); }},
     {"wrong", "Holes, wrong voxel hits, too far and too near", true, 0.8f, 0, [](const TuneRow& row) { return row.measured() ? percent(wrongShare(row)) : "\u2013"; }},
 };
@@ -121,7 +121,7 @@ void drawTunerTable(WindowModel& model, TunerPanel& tuner, bool frontAlone, cons
   // The number of columns is part of the name: a table keeps its columns.
   const std::string name = "tuner rows " + std::to_string(columns.size());
   if (!ImGui::BeginTable(name.c_str(), static_cast<int>(columns.size()) + 1, kTableFlags | ImGuiTableFlags_ScrollY, size)) return;
-  ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthStretch, 1.25f);
+  ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthStretch, 1.6f);
   for (const TunerColumn* column : columns) ImGui::TableSetupColumn(column->title, ImGuiTableColumnFlags_WidthStretch, column->weight);
   ImGui::TableSetupScrollFreeze(0, 1);
   ImGui::TableNextRow(ImGuiTableRowFlags_Headers, unit(20));
