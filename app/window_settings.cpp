@@ -87,7 +87,7 @@ void drawScene(WindowModel& model) {
   const auto dynamic = facts.numbered.dynamicInstanceCount();
   factRow("Instances", printed("%u static, %u dynamic", facts.numbered.staticInstanceCount, dynamic));
   if (facts.captureFrames > 0) factRow("Captured", printed("%u frame%s", facts.captureFrames, facts.captureFrames == 1 ? "" : "s"));
-  else if (facts.duration > 0.0) factRow("Animation", printed("%.2f s", facts.duration));
+  else factRow("Animation", facts.duration > 0.0 ? printed("%.2f s", facts.duration) : "none");
   if (!facts.note.empty()) ImGui::TextWrapped("%s", facts.note.c_str());
   if (facts.captureFrames == 0) {
     label("Teapots", "Animated teapots to add; the scene is loaded again");
