@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "app/explain_report.h"
 #include "app/text.h"
 
 namespace gridscope {
@@ -34,13 +35,6 @@ Json stageJson(const CheckedStage& stage) {
 Json stabilityJson(const Stability& stability, uint64_t rays) {
   return {{"builds", stability.builds}, {"occupied", stability.occupied}, {"setDiffers", stability.setDiffers},
           {"orderDiffers", stability.orderDiffers}, {"rays", rays}, {"raysChange", stability.raysChange}};
-}
-
-void addTruth(Json& json, const TruthTotals& truth) {
-  json["wrong"] = truth.wrong();
-  json["agree"] = {{"hit", truth.agreeHit}, {"miss", truth.agreeMiss}};
-  for (uint32_t verdict = kVerdictHole; verdict < kVerdictCount; ++verdict) json["verdicts"][std::string(verdictName(verdict).key)] = truth.verdicts[verdict];
-  for (uint32_t cause = kCauseNone + 1; cause < kCauseCount; ++cause) json["causes"][std::string(causeName(cause).key)] = truth.causes[cause];
 }
 
 void printStability(std::FILE* out, const Stability& stability, const RayTotals& rays) {
@@ -97,7 +91,7 @@ Json checkJson(const Session& session, const CheckReport& report) {
   json["rays"] = report.rays.count;
   json["hits"] = {{"triangle", report.rays.triangleHits}, {"voxel", report.rays.voxelHits}, {"miss", report.rays.misses}};
   if (report.stability) json["stability"] = stabilityJson(*report.stability, report.rays.count);
-  if (report.truth) addTruth(json, *report.truth);
+  if (report.truth) addTruthTotals(json, *report.truth);
   return json;
 }
 

@@ -65,14 +65,19 @@ void addProofs(Json& json, const ProofTotals& proofs) {
 
 }  // namespace
 
-Json explainJson(const ExplainReport& report, const CaptureNames& names) {
-  const TruthTotals& totals = report.frame.totals;
-  const GridStatistics& cells = report.grid.statistics;
-  Json json = {{"rays", totals.rays}, {"wrong", totals.wrong()}, {"agree", {{"hit", totals.agreeHit}, {"miss", totals.agreeMiss}}}};
+void addTruthTotals(Json& json, const TruthTotals& totals) {
+  json["wrong"] = totals.wrong();
+  json["agree"] = {{"hit", totals.agreeHit}, {"miss", totals.agreeMiss}};
   for (uint32_t verdict = kVerdictHole; verdict < kVerdictCount; ++verdict)
     json["verdicts"][std::string(verdictName(verdict).key)] = totals.verdicts[verdict];
   for (uint32_t cause = kCauseRefused; cause < kCauseCount; ++cause)
     json["causes"][std::string(causeName(cause).key)] = totals.causes[cause];
+}
+
+Json explainJson(const ExplainReport& report, const CaptureNames& names) {
+  const GridStatistics& cells = report.grid.statistics;
+  Json json = {{"rays", report.frame.totals.rays}};
+  addTruthTotals(json, report.frame.totals);
   if (report.proofs) addProofs(json, *report.proofs);
   json["references"] = {{"tried", report.tried}, {"stored", report.grid.stored()}, {"refused", report.grid.refused()}};
   json["cells"] = {{"occupied", cells.occupied}, {"saturated", cells.saturated}, {"maxDemand", cells.maxDemand}};

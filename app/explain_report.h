@@ -30,6 +30,9 @@ std::vector<StoryPart> tellRay(const ExplainReport& report, const CaptureNames& 
 // The tables: verdicts, causes, the meshes and cells that cost most, the worst rays.
 void printExplain(std::FILE* out, const ExplainReport& report, const CaptureNames& names);
 
+// Adds wrong, agree, verdicts and causes.
+void addTruthTotals(nlohmann::ordered_json& json, const TruthTotals& totals);
+
 // rays, wrong, agree, verdicts, causes, [confirmed, control,] references, cells, meshes, fullest cells, worst rays, times.
 nlohmann::ordered_json explainJson(const ExplainReport& report, const CaptureNames& names);
 

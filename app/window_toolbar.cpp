@@ -164,14 +164,23 @@ void drawStatusLine(WindowModel& model) {
   textDim(frame.device);
   ImGui::SameLine(0.0f, unit(14));
   statusPair("ui", printed("%.1f ms", model.interfaceMs));
-  const std::pair<const char*, double> times[] = {{"build", frame.times.build}, {"update", frame.times.clear + frame.times.add}, {"gather", frame.times.gather},
-                                                  {"bounce", frame.times.bounce}, {"trace", frame.times.trace}, {"views", frame.times.views}};
-  for (const auto& [name, ms] : times) statusPair(name, printed(ms < 10.0 ? "%.1f ms" : "%.0f ms", ms));
+  // Narrow windows leave out the stages that a grid's settings do not change.
+  const bool roomy = ImGui::GetWindowWidth() > unit(1450);
+  struct StageTime {
+    const char* name;
+    double ms;
+    bool always;
+  };
+  const StageTime times[] = {{"build", frame.times.build, true},    {"update", frame.times.clear + frame.times.add, true},
+                             {"gather", frame.times.gather, false}, {"bounce", frame.times.bounce, false},
+                             {"trace", frame.times.trace, true},    {"views", frame.times.views, false}};
+  for (const StageTime& time : times)
+    if (roomy || time.always) statusPair(time.name, printed(time.ms < 10.0 ? "%.1f ms" : "%.0f ms", time.ms));
   const GridStatistics& totals = frame.totals.statistics;
   statusPair("stored", grouped(frame.totals.stored()));
   statusPair("refused", grouped(frame.totals.refused()) + " (" + percentOf(frame.totals.refused(), std::max<uint64_t>(frame.tried, 1)) + ")");
   swatch(kColourSaturated, true);
-  statusPair("saturated", grouped(totals.saturated) + " of " + grouped(totals.occupied) + " cells");
+  statusPair("saturated", grouped(totals.saturated) + (roomy ? " of " + grouped(totals.occupied) + " cells" : ""));
   if (frame.request.settings) {
     const std::string size = printed("%u x %u", frame.request.settings->width, frame.request.settings->height);
     const std::string progress = frame.stale || frame.traced < 1.0f ? printed("  traced %.0f %%", 100.0 * double(frame.traced)) : "";
