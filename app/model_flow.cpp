@@ -151,7 +151,7 @@ void showIn(WindowModel& model, Workspace workspace) {
     case Workspace::verdict:
       model.layout = ViewportLayout::four;
       model.panes = {Pane{"final"}, Pane{"verdict"}, Pane{"cause"}, Pane{"visits"}};
-      overlays.saturatedBoxes = overlays.cellBoxes = false;
+      overlays.saturatedBoxes = overlays.cellBoxes = overlays.raySegments = overlays.visitedCells = overlays.testedTriangles = false;
       model.request.truth = true;
       model.showTab(BottomTab::causes);
       break;
