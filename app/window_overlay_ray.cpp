@@ -122,7 +122,8 @@ void drawCallout(const OverlayPainter& painter, ImVec2 at, ImVec2 way, std::span
   const PaneRect& pane = painter.pane;
   ImVec2 low(at.x + way.x - 0.5f * size.x, at.y + way.y - 0.5f * size.y);
   low.x = std::floor(std::clamp(low.x, pane.min.x + unit(8), std::max(pane.max.x - size.x - unit(8), pane.min.x + unit(8))));
-  low.y = std::floor(std::clamp(low.y, pane.min.y + unit(8), std::max(pane.max.y - size.y - unit(8), pane.min.y + unit(8))));
+  const float top = pane.min.y + unit(30);  // below the legend
+  low.y = std::floor(std::clamp(low.y, top, std::max(pane.max.y - size.y - unit(8), top)));
   const ImVec2 high(low.x + size.x, low.y + size.y);
   const ImVec2 end(std::clamp(at.x, low.x, high.x), std::clamp(at.y, low.y, high.y));
   painter.list->AddLine(at, end, IM_COL32(0, 0, 0, 150), unit(3));
