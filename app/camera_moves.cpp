@@ -6,6 +6,8 @@
 
 #include <glm/gtc/quaternion.hpp>
 
+#include "app/held_ray.h"
+
 namespace gridscope {
 
 static constexpr float kSteepest = 1.5533f;   // radians: 89 degrees
@@ -89,6 +91,19 @@ void lookAlong(CameraState& camera, int axis, bool positive) {
   camera.pose.eye = camera.pose.target + back * distance;
 }
 
+void lookAlongOrBack(CameraState& camera, int axis, bool positive) {
+  constexpr float kAlready = 0.999f;   // cosine: within 2.6 degrees
+  const vec3 back = glm::normalize(camera.pose.eye - camera.pose.target);
+  const bool already = back[axis] * (positive ? 1.0f : -1.0f) > kAlready;
+  lookAlong(camera, axis, already != positive);
+}
+
+void moveTargetTo(CameraState& camera, const vec3& point) {
+  camera.pose.name.clear();
+  camera.pose.eye += point - camera.pose.target;
+  camera.pose.target = point;
+}
+
 Bounds selectedBounds(const WindowModel& model) {
   Bounds bounds;
   if (!model.frame || !model.frame->scene) return bounds;
@@ -114,7 +129,7 @@ Bounds selectedBounds(const WindowModel& model) {
       }
       break;
     case Selected::step:
-      if (frame.record && selected.step < frame.record->record.steps.size()) includeCell(frame.record->record.steps[selected.step].cell);
+      if (const auto ray = shownRay(model); ray && selected.step < ray->record.steps.size()) includeCell(ray->record.steps[selected.step].cell);
       break;
     case Selected::cell: includeCell(*selected.cell); break;
     case Selected::triangle: includeReference(*selected.reference); break;

@@ -17,10 +17,14 @@ void moveCamera(CameraState& camera, vec3 rightUpForward);
 void dollyCamera(CameraState& camera, float factor);
 // Looks at a box from the present direction, near enough to fill the view.
 void focusCamera(CameraState& camera, const Bounds& bounds);
+// Looks at a point from the same side and distance.
+void moveTargetTo(CameraState& camera, const vec3& point);
 // Would the point be on a picture of this size?
 bool inPicture(const CameraPose& pose, const FrameSettings& frame, const vec3& point);
 // Looks along an axis at the same target: 0 x, 1 y, 2 z; `positive`: from its positive end.
 void lookAlong(CameraState& camera, int axis, bool positive);
+// The same, from the other end when one looks from that end already.
+void lookAlongOrBack(CameraState& camera, int axis, bool positive);
 
 vec3 worldUp(const CameraState& camera);
 

@@ -7,7 +7,10 @@
 #include <utility>
 
 #include "app/camera_moves.h"
+#include "app/comparison.h"
 #include "app/frame_changes.h"
+#include "app/held_ray.h"
+#include "app/projection.h"
 #include "app/ray_stepping.h"
 #include "views/view.h"
 
@@ -15,15 +18,22 @@ namespace gridscope {
 
 static constexpr size_t kMostRecentFiles = 12;
 
+std::set<std::string> shownViews(const WindowModel& model) {
+  std::set<std::string> views;
+  const int panes = model.layout == ViewportLayout::four ? 4 : 1;
+  for (int i = 0; i < panes; ++i) views.insert(model.panes[model.layout == ViewportLayout::four ? size_t(i) : size_t(model.activePane)].view);
+  if (model.layout == ViewportLayout::compare && model.comparison.with == CompareState::With::view)
+    views.insert(model.panes[size_t(model.activePane) ^ 1u].view);
+  return views;
+}
+
 FrameRequest requestOf(const WindowModel& model) {
   FrameRequest request = model.request;
   if (request.settings) request.settings->camera = model.camera.pose;
-  request.recordPixel = model.selected().pixel;
-  request.views.clear();
-  const int panes = model.layout == ViewportLayout::four ? 4 : 1;
-  for (int i = 0; i < panes; ++i) request.views.insert(model.panes[model.layout == ViewportLayout::four ? size_t(i) : size_t(model.activePane)].view);
-  if (model.layout == ViewportLayout::compare && model.comparison.with == CompareState::With::view)
-    request.views.insert(model.panes[size_t(model.activePane) ^ 1u].view);
+  if (rayIsHeld(model)) request.recordPixel.reset();
+  else request.recordPixel = model.selected().pixel;
+  request.views = shownViews(model);
+  if (model.comparison.completing) request.views.merge(viewsToKeep(model));
   for (const std::string& name : request.views) {
     const View* view = findView(name);
     if (view && (view->need == ViewNeed::truth || view->need == ViewNeed::triangleCosts) && !model.truthDeclined) request.truth = true;
@@ -46,10 +56,10 @@ bool sameRequest(const FrameRequest& a, const FrameRequest& b) {
 static void greetScene(WindowModel& model) {
   const FrameSnapshot& frame = *model.frame;
   model.selection = SelectionHistory();
+  model.held.reset();
   model.area.reset();
   model.rayOrder = {};
   model.undo.clear();
-  model.comparison.kept.reset();
   model.request.edits = frame.request.edits;
   model.request.settings = frame.request.settings;
   model.camera.pose = frame.request.settings->camera;
@@ -66,6 +76,7 @@ static void greetScene(WindowModel& model) {
 
 void takeFrame(WindowModel& model, std::shared_ptr<const FrameSnapshot> frame) {
   const bool anotherScene = frame->scene && (!model.frame || !model.frame->scene || model.frame->request.source != frame->request.source);
+  completeKept(model, frame);
   model.frame = std::move(frame);
   model.stageHistory.note(*model.frame);
   if (anotherScene && model.frame->request.settings) greetScene(model);
@@ -116,14 +127,18 @@ static void focusOnWanted(WindowModel& model) {
   const Bounds wanted = *model.focusWanted;
   model.focusWanted.reset();
   if (wanted.empty() || !model.frame || !model.frame->request.settings) return;
-  if (!inPicture(model.camera.pose, *model.frame->request.settings, 0.5f * (wanted.low + wanted.high))) focusCamera(model.camera, wanted);
+  const vec3 middle = 0.5f * (wanted.low + wanted.high);
+  if (!inPicture(model.camera.pose, *model.frame->request.settings, middle)) focusCamera(model.camera, wanted);
+  else if (const auto point = projectPoint(model.frame->parameters.camera, middle)) model.pixelWanted = point->pixel;
 }
 
 void advanceModel(WindowModel& model) {
   focusOnWanted(model);
+  holdRay(model);
   if (model.frame && model.frame->scene) model.savedBookmarks[model.frame->scene->path] = model.bookmarks;
   static double nextStepDue = 0.0;
   advancePlay(model, nextStepDue);
+  followStep(model);
   if (model.playing && model.frame && !model.frame->stale && model.frame->request.frame == model.request.frame &&
       model.frame->request.timeSeconds == model.request.timeSeconds)
     stepTime(model, 1);

@@ -8,6 +8,9 @@ namespace gridscope {
 
 // What the worker is asked for: the model's request with what the panes show, the camera, and the selected ray.
 FrameRequest requestOf(const WindowModel& model);
+
+// Names of the views that the viewport shows.
+std::set<std::string> shownViews(const WindowModel& model);
 bool sameRequest(const FrameRequest& a, const FrameRequest& b);
 
 // A new snapshot has come.

@@ -3,10 +3,11 @@
 
 #include <algorithm>
 
-#include "app/ray_stepping.h"
+#include "app/held_ray.h"
 #include "app/table_rows.h"
 #include "app/text.h"
 #include "app/window_panels.h"
+#include "app/window_stale.h"
 #include "app/window_widgets.h"
 #include "shaders/shared/palette.h"
 
@@ -55,6 +56,9 @@ void drawSelected(WindowModel& model) {
   const FrameSnapshot* frame = model.frame.get();
   if (!frame || !frame->scene) return emptyState("No frame yet.");
   const Selection selected = model.selected();
+  const StaleValues stale = staleValues(model);
+  const bool ofGrid = selected.last == Selected::cell || selected.last == Selected::triangle || selected.last == Selected::instance;
+  const StaleDim dim(ofGrid ? stale.grid : stale.steps);
   switch (selected.last) {
     case Selected::cell:
       if (frame->grid && selected.cell && gridContains(frame->grid->parameters, *selected.cell)) return drawCellInspector(model, *selected.cell);
@@ -69,7 +73,7 @@ void drawSelected(WindowModel& model) {
   }
   if (const ShownStep* shown = shownStepFacts(model)) return drawStepInspector(model, *shown);
   if (!selected.pixel) return emptyState("Nothing selected. Click a pixel to see its ray, or a row of any table; N goes to the next hole.");
-  if (!frame->record || frame->record->pixel != *selected.pixel) return emptyState("Recording the ray...");
+  if (!shownRay(model)) return emptyState("Recording the ray...");
   emptyState("This pixel has no ray, or its ray never meets the grid: there are no steps.");
 }
 
@@ -78,8 +82,6 @@ bool beginTab(const char* title, bool wanted) { return ImGui::BeginTabItem(title
 }  // namespace
 
 void drawInspector(WindowModel& model) {
-  static double due = 0.0;
-  advancePlay(model, due);
   const std::optional<InspectorTab> wanted = wantedTab(model);
   ImGui::Dummy(ImVec2(0.0f, unit(1)));
   const float line = ImGui::GetCursorPosY();

@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "app/find_next.h"
+#include "app/instance_edits.h"
 #include "app/panel_inspector.h"
 #include "app/panel_table_parts.h"
 #include "app/scene_places.h"
@@ -13,6 +14,8 @@
 namespace gridscope {
 
 namespace {
+
+constexpr float kMostOffset = 1e6f;   // world units
 
 // The selected triangle's cells, found once.
 const TriangleCells& shownCells(const FrameSnapshot& frame, uint32_t reference) {
@@ -78,49 +81,33 @@ void drawCells(WindowModel& model, const TriangleCells& cells) {
 
 // --- Instances --------------------------------------------------------------------------------------------------------------------
 
-InstanceEdit* editOf(WindowModel& model, uint32_t sceneInstance) {
-  for (InstanceEdit& edit : model.request.edits)
-    if (edit.sceneInstance == sceneInstance) return &edit;
-  return nullptr;
-}
-
-void setEdit(WindowModel& model, const InstanceEdit& edit) {
-  if (InstanceEdit* known = editOf(model, edit.sceneInstance)) *known = edit;
-  else model.request.edits.push_back(edit);
-}
-
-void dropEdit(WindowModel& model, uint32_t sceneInstance) {
-  std::erase_if(model.request.edits, [&](const InstanceEdit& edit) { return edit.sceneInstance == sceneInstance; });
-}
-
 // Hide, delete, make dynamic; drag what was made dynamic.
 void drawEdits(WindowModel& model, uint32_t sceneInstance, bool isDynamic) {
   const bool foreign = model.frame->scene->foreign || model.frame->scene->captureFrames > 0;
   const char* why = "A capture's scene stays as it was captured";
-  InstanceEdit* edit = editOf(model, sceneInstance);
-  const bool made = edit && edit->kind == InstanceEdit::Kind::makeDynamic;
-  const bool gone = edit && !made;
+  std::vector<InstanceEdit>& edits = model.request.edits;
+  const bool changed = editOf(edits, sceneInstance) != nullptr, gone = isTakenOut(editOf(edits, sceneInstance));
   using Kind = InstanceEdit::Kind;
-  if (keyButton("Hide", "", !foreign && !gone, foreign ? why : "It is gone already")) setEdit(model, {.sceneInstance = sceneInstance, .kind = Kind::hide});
+  if (keyButton("Hide", "", !foreign && !gone, foreign ? why : "It is gone already")) setEdit(edits, {.sceneInstance = sceneInstance, .kind = Kind::hide});
   whyTooltip("Takes it out of the scene, as if it were not drawn; the static grid is built again");
   ImGui::SameLine(0.0f, unit(6));
-  if (keyButton("Delete", "", !foreign && !gone, foreign ? why : "It is gone already")) setEdit(model, {.sceneInstance = sceneInstance, .kind = Kind::remove});
+  if (keyButton("Delete", "", !foreign && !gone, foreign ? why : "It is gone already")) setEdit(edits, {.sceneInstance = sceneInstance, .kind = Kind::remove});
   whyTooltip("Takes it out for good, as destruction in a game does; the static grid is built again");
   ImGui::SameLine(0.0f, unit(6));
   if (keyButton("Make dynamic", "", !foreign && !gone && !isDynamic, foreign ? why : gone ? "It is gone" : "It is dynamic already"))
-    setEdit(model, {.sceneInstance = sceneInstance, .kind = Kind::makeDynamic});
+    setEdit(edits, {.sceneInstance = sceneInstance, .kind = Kind::makeDynamic});
   ImGui::SameLine(0.0f, unit(6));
-  if (keyButton("Restore", "", edit != nullptr, "Nothing was done to it")) return dropEdit(model, sceneInstance);
-  edit = editOf(model, sceneInstance);
-  if (!edit || edit->kind != Kind::makeDynamic) return;
+  if (keyButton("Restore", "", changed, "Nothing was done to it")) return dropEdit(edits, sceneInstance);
+  if (!isMadeDynamic(editOf(edits, sceneInstance))) return;
+  InstanceEdit edit = *editOf(edits, sceneInstance);
   textDim("Offset");
   ImGui::SameLine(0.0f, unit(8));
   ImGui::SetNextItemWidth(-1.0f);
   ImGui::PushFont(windowFonts().mono);
   const float speed = model.frame->grid ? 0.05f * model.frame->grid->parameters.cellEdge : 0.01f;
-  ImGui::DragFloat3("##offset", &edit->offset.x, speed, 0.0f, 0.0f, "%.3f");
+  if (ImGui::DragFloat3("##offset", &edit.offset.x, speed, 0.0f, 0.0f, "%.3f") && glm::length(edit.offset) < kMostOffset) setEdit(edits, edit);
   ImGui::PopFont();
-  whyTooltip("World units. Drag: the grid is updated, as for any moving thing");
+  whyTooltip("World units. Drag here, or the handles at its centre in the viewport: the grid is updated, as for any moving thing");
 }
 
 struct InstanceShape {
@@ -186,8 +173,7 @@ void drawInstanceInspector(WindowModel& model, uint32_t sceneInstance) {
   const FrameSnapshot& frame = *model.frame;
   const SceneFacts& scene = *frame.scene;
   const InstanceShape shape = shapeOf(scene.numbered, sceneInstance);
-  const InstanceEdit* edit = editOf(model, sceneInstance);
-  const bool gone = edit && edit->kind != InstanceEdit::Kind::makeDynamic;
+  const bool gone = isTakenOut(editOf(model.request.edits, sceneInstance));
   const bool dynamic = shape.first != kBlank && shape.first >= scene.numbered.staticInstanceCount;
   InspectorTitle title{.name = instanceName(scene, sceneInstance), .word = gone ? "taken out" : dynamic ? "dynamic" : "static",
                        .colour = gone ? kColourEmpty : dynamic ? kColourRevisit : kColourTested};

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "app/find_next.h"
+#include "app/held_ray.h"
 #include "app/panel_inspector.h"
 #include "app/panel_table_parts.h"
 #include "app/panel_truth_marks.h"
@@ -40,11 +41,12 @@ SentencePart partOf(const RecordedRay& ray, const SceneFacts& scene, const Story
 }
 
 // The story of the selected pixel, told once.
-const Sentence& shownStory(const FrameSnapshot& frame, const RecordedRay& ray) {
+const Sentence& shownStory(const FrameSnapshot& frame, const std::shared_ptr<const RecordedRay>& shown) {
   static std::shared_ptr<const RecordedRay> known;
   static Sentence story;
-  if (known == frame.record) return story;
-  known = frame.record;
+  if (known == shown) return story;
+  known = shown;
+  const RecordedRay& ray = *shown;
   story.clear();
   const TraceInput trace{*frame.grid, frame.scene->numbered, *frame.worldTriangles, frame.parameters.trace};
   const TruthInput truth{trace, *frame.demand};
@@ -275,8 +277,9 @@ void drawUntold(WindowModel& model) {
   whyTooltip("Traces every ray of the frame against all triangles, and finds the cause of each that differs; some seconds");
 }
 
-void drawRay(WindowModel& model, const RecordedRay& ray) {
+void drawRay(WindowModel& model, const std::shared_ptr<const RecordedRay>& shown) {
   const FrameSnapshot& frame = *model.frame;
+  const RecordedRay& ray = *shown;
   const uint32_t width = frame.request.settings->width;
   InspectorTitle title{.name = printed("Pixel %u, %u", ray.pixel % width, ray.pixel / width)};
   const bool told = ray.truth && ray.exact && frame.demand && frame.grid && frame.worldTriangles;
@@ -287,11 +290,11 @@ void drawRay(WindowModel& model, const RecordedRay& ray) {
     title.focus->include((*frame.gather)[ray.pixel].position);
     if (ray.record.hit.reference != kBlank) title.focus->include(rayPoint(ray.ray, ray.record.hit.t));
   }
-  if (told) title.text = plainText(shownStory(frame, ray));
+  if (told) title.text = plainText(shownStory(frame, shown));
   drawInspectorTitle(model, title);
   if (ray.ray.valid == 0) return emptyState("No surface is seen here, so there is no ray.");
   if (told) {
-    drawSentenceBox(model, shownStory(frame, ray), ray.truth->cause == kCauseNone ? kColourTriangleHit : causeColour(ray.truth->cause), "story");
+    drawSentenceBox(model, shownStory(frame, shown), ray.truth->cause == kCauseNone ? kColourTriangleHit : causeColour(ray.truth->cause), "story");
     ImGui::Dummy(ImVec2(0.0f, unit(1)));
     drawProof(model, ray);
   } else {
@@ -307,8 +310,8 @@ void drawRay(WindowModel& model, const RecordedRay& ray) {
 
 void drawPixelTab(WindowModel& model) {
   if (!model.frame || !model.frame->scene || !model.frame->request.settings) return emptyState("No frame yet.");
-  const std::shared_ptr<const RecordedRay> ray = shownRecord(model) ? model.frame->record : nullptr;
-  if (ray) drawRay(model, *ray);
+  const std::shared_ptr<const RecordedRay> ray = shownRay(model);
+  if (ray) drawRay(model, ray);
   else emptyState(model.selected().pixel ? "Recording the ray..." : "No pixel selected. Click one, or press N for the next hole.");
   if (!model.frame->truths) return;
   drawVerdicts(model);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "app/held_ray.h"
 #include "app/panel_table_parts.h"
 #include "app/ray_stepping.h"
 #include "app/window_widgets.h"
@@ -86,14 +87,14 @@ const ShownStep* shownStepFacts(const WindowModel& model) {
     std::shared_ptr<const Demand> demand;
   };
   static Cached cached;
-  const RecordedRay* ray = shownRecord(model);
+  const std::shared_ptr<const RecordedRay> ray = shownRay(model);
   const std::optional<uint32_t> step = shownStep(model);
   if (!ray || !step || !model.frame->grid || !model.frame->worldTriangles || !model.frame->scene) return nullptr;
   const FrameSnapshot& frame = *model.frame;
-  if (cached.shown.ray != frame.record || cached.step != *step || cached.grid != frame.grid || cached.demand != frame.demand) {
+  if (cached.shown.ray != ray || cached.step != *step || cached.grid != frame.grid || cached.demand != frame.demand) {
     cached.shown.facts = stepFacts(frame, *ray, *step);
     cached.shown.sentence = explainStep(frame, *ray, cached.shown.facts);
-    cached.shown.ray = frame.record;
+    cached.shown.ray = ray;
     cached.step = *step, cached.grid = frame.grid, cached.demand = frame.demand;
   }
   return &cached.shown;

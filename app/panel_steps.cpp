@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 
+#include "app/held_ray.h"
 #include "app/panel_step_parts.h"
 #include "app/panel_step_timeline.h"
 #include "app/ray_stepping.h"
@@ -78,13 +79,12 @@ struct SearchButton {
   const char* label;
   const char* key;
   StepSearch search;
-  const char* none;
 };
-constexpr std::array<SearchButton, 5> kSearchButtons{{{"non-empty", "E", StepSearch::nonEmpty, "No later step starts in a cell that holds references"},
-                                                      {"tested", "T", StepSearch::tested, "No later step tests a triangle"},
-                                                      {"saturated", "S", StepSearch::saturated, "No later step reads a saturated cell"},
-                                                      {"revisit", "V", StepSearch::revisit, "No later step starts in the cell visited last"},
-                                                      {"voxel hit", "X", StepSearch::voxelHit, "The ray does not end behind here with a voxel hit"}}};
+constexpr std::array<SearchButton, 5> kSearchButtons{{{"non-empty", "E", StepSearch::nonEmpty},
+                                                      {"tested", "T", StepSearch::tested},
+                                                      {"saturated", "S", StepSearch::saturated},
+                                                      {"revisit", "V", StepSearch::revisit},
+                                                      {"voxel hit", "X", StepSearch::voxelHit}}};
 
 void drawSearches(WindowModel& model, const RayRecord& record, uint32_t step) {
   ImGui::AlignTextToFramePadding();
@@ -92,17 +92,32 @@ void drawSearches(WindowModel& model, const RayRecord& record, uint32_t step) {
   for (const SearchButton& button : kSearchButtons) {
     ImGui::SameLine(0.0f, unit(6));
     const std::optional<uint32_t> found = nextStep(record, step, button.search);
-    if (keyButton(button.label, button.key, found.has_value(), button.none)) selectStepAt(model, *found);
+    if (keyButton(button.label, button.key, found.has_value(), noSuchStep(button.search))) selectStepAt(model, *found);
   }
 }
 
 // Room, pixels at UI scale 1, from which the light's words stand beside it, with the neighbouring rays behind.
 constexpr float kWideLight = 380.0f;
 
+void drawNeighbours(WindowModel& model) {
+  if (keyButton("Previous", "[")) nextRay(model, -1);
+  whyTooltip(("The ray before in the order of " + model.rayOrder.name).c_str());
+  ImGui::SameLine(0.0f, unit(4));
+  if (keyButton("Next ray", "]")) nextRay(model, 1);
+  whyTooltip(("The ray behind in the order of " + model.rayOrder.name).c_str());
+}
+
 // The light, and the neighbouring rays, at the right where there is room.
 void drawRayLine(WindowModel& model, const RecordedRay& ray) {
   ImGui::SameLine(0.0f, unit(12));
   const bool wide = ImGui::GetContentRegionAvail().x > unit(kWideLight);
+  if (rayIsHeld(model)) {
+    ImGui::AlignTextToFramePadding();
+    textDim(wide ? "Held while the camera moves" : "held");
+    whyTooltip("The camera has moved on; the ray stays as it was recorded. A click on a pixel takes a ray of the present camera");
+    ImGui::SameLine(0.0f, unit(12));
+    return drawNeighbours(model);
+  }
   const char* said = ray.equalsFrame ? (wide ? "Record equals the frame's hit" : "equal") : (wide ? "Record differs from the frame's hit" : "differs");
   const ImVec2 place = ImGui::GetCursorScreenPos();
   const ImU32 colour = packed(meaningColour(ray.equalsFrame ? kColourTriangleHit : kColourHole));
@@ -115,19 +130,16 @@ void drawRayLine(WindowModel& model, const RecordedRay& ray) {
               "\nThe recording trace ended with: " + hitWords(ray.record.hit) + "\nThe frame's trace ended with: " + hitWords(ray.frameHit)).c_str());
 
   ImGui::SameLine(0.0f, unit(12));
-  if (keyButton("Previous", "[")) nextRay(model, -1);
-  whyTooltip(("The ray before in the order of " + model.rayOrder.name).c_str());
-  ImGui::SameLine(0.0f, unit(4));
-  if (keyButton("Next ray", "]")) nextRay(model, 1);
-  whyTooltip(("The ray behind in the order of " + model.rayOrder.name).c_str());
+  drawNeighbours(model);
 }
 
 void drawNothing(const WindowModel& model) {
   ImGui::SetCursorPosX(unit(10));
   if (!model.frame) return emptyState("No frame yet: its rays can be stepped as soon as the first one is done.");
   if (!model.selected().pixel) return emptyState("No ray selected. Click a pixel, or press N for the next hole.");
-  if (!model.frame->record || model.frame->record->pixel != *model.selected().pixel) return emptyState("Recording the ray...");
-  if (model.frame->record->ray.valid == 0) return emptyState("This pixel sees no surface, so it has no ray. Click one that does.");
+  const std::shared_ptr<const RecordedRay> ray = shownRay(model);
+  if (!ray) return emptyState("Recording the ray...");
+  if (ray->ray.valid == 0) return emptyState("This pixel sees no surface, so it has no ray. Click one that does.");
   emptyState("The ray never meets the grid: it has no steps.");
 }
 

@@ -1,6 +1,5 @@
 // The table of the scene's instances, with what a person can do to them: hide, and make dynamic.
-#include <algorithm>
-
+#include "app/instance_edits.h"
 #include "app/panel_sheet.h"
 #include "app/panel_table_parts.h"
 #include "app/window_panels.h"
@@ -11,29 +10,23 @@ namespace gridscope {
 
 namespace {
 
-bool hasEdit(const WindowModel& model, uint32_t instance, InstanceEdit::Kind kind) {
-  return std::any_of(model.request.edits.begin(), model.request.edits.end(),
-                     [&](const InstanceEdit& edit) { return edit.sceneInstance == instance && edit.kind == kind; });
-}
-
-void toggleEdit(WindowModel& model, uint32_t instance, InstanceEdit::Kind kind) {
-  std::vector<InstanceEdit>& edits = model.request.edits;
-  if (hasEdit(model, instance, kind)) std::erase_if(edits, [&](const InstanceEdit& edit) { return edit.sceneInstance == instance && edit.kind == kind; });
-  else edits.push_back({.sceneInstance = instance, .kind = kind});
-}
-
 void drawToggles(WindowModel& model, uint32_t instance, bool animated) {
-  const bool captured = model.frame->scene->captureFrames > 0;
-  const bool hidden = hasEdit(model, instance, InstanceEdit::Kind::hide), made = hasEdit(model, instance, InstanceEdit::Kind::makeDynamic);
+  using Kind = InstanceEdit::Kind;
+  std::vector<InstanceEdit>& edits = model.request.edits;
+  const InstanceEdit* edit = editOf(edits, instance);
+  const bool captured = model.frame->scene->captureFrames > 0, gone = isTakenOut(edit), made = isMadeDynamic(edit);
   const char* captureWhy = "A capture's instances stay as they were captured";
-  if (rowButton(hidden ? "Show" : "Hide", "hide", hidden ? "Puts it back; the static grid is built again" : "Takes it away; the static grid is built again",
-                  !captured, captureWhy))
-    toggleEdit(model, instance, InstanceEdit::Kind::hide);
+  if (rowButton(gone ? "Show" : "Hide", "hide", gone ? "Puts it back; the static grid is built again" : "Takes it away; the static grid is built again", !captured, captureWhy)) {
+    if (gone) dropEdit(edits, instance);
+    else setEdit(edits, {.sceneInstance = instance, .kind = Kind::hide});
+  }
   ImGui::SameLine(0.0f, unit(4));
-  const char* why = captured ? captureWhy : hidden ? "It is hidden" : "It is dynamic in the scene already";
-  if (rowButton(made ? "Static" : "Dynamic", "dynamic", made ? "Makes it static again" : "Makes it dynamic: cleared and added again every frame, and can be dragged",
-                  !captured && !hidden && (made || !animated), why))
-    toggleEdit(model, instance, InstanceEdit::Kind::makeDynamic);
+  const char* why = captured ? captureWhy : gone ? "It was taken out: show it first" : "It is dynamic in the scene already";
+  if (rowButton(made ? "Static" : "Dynamic", "dynamic", made ? "Makes it static again, where it was" : "Makes it dynamic: cleared and added again every frame, and can be dragged",
+                !captured && !gone && (made || !animated), why)) {
+    if (made) dropEdit(edits, instance);
+    else setEdit(edits, {.sceneInstance = instance, .kind = Kind::makeDynamic});
+  }
 }
 
 }  // namespace

@@ -3,7 +3,9 @@
 
 #include <algorithm>
 
+#include "app/camera_moves.h"
 #include "app/find_next.h"
+#include "app/held_ray.h"
 
 namespace gridscope {
 
@@ -37,9 +39,20 @@ std::optional<uint32_t> nextStep(const RayRecord& record, uint32_t from, StepSea
   return std::nullopt;
 }
 
+const char* noSuchStep(StepSearch search, int direction) {
+  const bool later = direction > 0;
+  switch (search) {
+    case StepSearch::nonEmpty: return later ? "No later step starts in a cell that holds references" : "No earlier step starts in a cell that holds references";
+    case StepSearch::tested: return later ? "No later step tests a triangle" : "No earlier step tests a triangle";
+    case StepSearch::saturated: return later ? "No later step reads a saturated cell" : "No earlier step reads a saturated cell";
+    case StepSearch::revisit: return later ? "No later step starts in the cell visited last" : "No earlier step starts in the cell visited last";
+    case StepSearch::voxelHit: return "The ray does not end behind here with a voxel hit";
+  }
+  return "";
+}
+
 const RecordedRay* shownRecord(const WindowModel& model) {
-  if (!model.frame || !model.frame->record || model.selected().pixel != model.frame->record->pixel) return nullptr;
-  return model.frame->record.get();
+  return shownRay(model).get();
 }
 
 std::optional<uint32_t> shownStep(const WindowModel& model) {
@@ -69,6 +82,7 @@ bool stepToNext(WindowModel& model, StepSearch search, int direction) {
   const auto from = shownStep(model);
   const auto found = from ? nextStep(shownRecord(model)->record, *from, search, direction) : std::nullopt;
   if (found) selectStepAt(model, *found);
+  else if (from) model.showMessage(noSuchStep(search, direction));
   return found.has_value();
 }
 
@@ -98,6 +112,20 @@ void advancePlay(WindowModel& model, double& due) {
   due = std::max(due + pause, model.now);   // a slow frame is not made up for by skipping steps
   stepForward(model);
   if (*step + 2 >= shownRecord(model)->record.steps.size()) model.stepsPlaying = false;
+}
+
+void followStep(WindowModel& model) {
+  static std::optional<std::pair<uint32_t, uint32_t>> followed;   // pixel and step
+  const std::optional<uint32_t> step = shownStep(model);
+  if (!model.followStep || !step) {
+    followed.reset();
+    return;
+  }
+  const std::shared_ptr<const RecordedRay> ray = shownRay(model);
+  const std::pair now{ray->pixel, *step};
+  if (followed == now) return;
+  followed = now;
+  moveTargetTo(model.camera, rayPoint(ray->ray, ray->record.steps[*step].start));
 }
 
 }  // namespace gridscope

@@ -8,6 +8,7 @@
 #include <cstring>
 
 #include "app/camera_moves.h"
+#include "app/comparison.h"
 #include "app/model_flow.h"
 #include "app/ray_stepping.h"
 #include "app/window_widgets.h"
@@ -63,7 +64,7 @@ constexpr Action kActions[] = {
     {"View", "Compare", "Ctrl+2", "A beside B: two views, or the kept frame and the live one.", nullptr, [](WindowModel& m) { m.layout = ViewportLayout::compare; }},
     {"View", "Keep frame as B", "K", "Keeps this frame, to compare later ones with it.", needsFrame,
      [](WindowModel& m) {
-       m.comparison.kept = m.frame, m.comparison.with = CompareState::With::frame, m.layout = ViewportLayout::compare;
+       keepFrame(m);
        m.showMessage("This frame is kept as B");
      }},
     {"View", "Flip A/B", "Space", "Shows B instead of A, and back.", needsCompare, [](WindowModel& m) { m.comparison.flip = !m.comparison.flip; }},

@@ -3,6 +3,7 @@
 
 #include "app/text.h"
 #include "app/window_panels.h"
+#include "app/window_stale.h"
 #include "app/window_widgets.h"
 
 namespace gridscope {
@@ -13,11 +14,12 @@ struct Tab {
   BottomTab tab;
   const char* name;
   void (*draw)(WindowModel&);
+  bool StaleValues::* stale = nullptr;   // when what it shows is of a request before
 };
 
 constexpr Tab kTabs[] = {
-    {BottomTab::steps, "Ray steps", drawRaySteps},       {BottomTab::cells, "Cells", drawCellsTable}, {BottomTab::instances, "Instances", drawInstancesTable},
-    {BottomTab::triangles, "Triangles", drawTrianglesTable}, {BottomTab::rays, "Rays", drawRaysTable},   {BottomTab::causes, "Causes", drawCauses},
+    {BottomTab::steps, "Ray steps", drawRaySteps, &StaleValues::steps},       {BottomTab::cells, "Cells", drawCellsTable, &StaleValues::grid}, {BottomTab::instances, "Instances", drawInstancesTable, &StaleValues::grid},
+    {BottomTab::triangles, "Triangles", drawTrianglesTable, &StaleValues::grid}, {BottomTab::rays, "Rays", drawRaysTable, &StaleValues::rays},   {BottomTab::causes, "Causes", drawCauses, &StaleValues::rays},
     {BottomTab::plots, "Plots", drawPlots},              {BottomTab::tune, "Tune", drawTuner},        {BottomTab::log, "Log", drawLog},
 };
 
@@ -55,7 +57,10 @@ void drawBottomTabs(WindowModel& model) {
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(unit(10), unit(6)));
     if (ImGui::BeginChild(tab.name, {0, 0}, false, ImGuiWindowFlags_AlwaysUseWindowPadding)) {
       if (tab.tab == BottomTab::tune && model.workspace == Workspace::tune) emptyState("The tuner fills the viewport in this workspace.");
-      else tab.draw(model);
+      else {
+        const StaleDim dim(tab.stale && staleValues(model).*tab.stale);
+        tab.draw(model);
+      }
     }
     ImGui::EndChild();
     ImGui::PopStyleVar();

@@ -93,8 +93,8 @@ void drawHelp(WindowModel& model) {
   ImGui::Separator();
   ImGui::PushStyleColor(ImGuiCol_Text, uiColour(UiColour::dim));
   ImGui::TextWrapped(
-      "In the viewport: click a pixel to record its ray. Wheel: zoom into pixels; drag: move the zoomed picture. Middle button, or Alt and drag: orbit; with "
-      "Shift: move aside; Alt and wheel: nearer. Right button: look around, and fly with W A S D Q E (Shift: faster, wheel: speed). Drop a scene or a capture on "
+      "In the viewport: click a pixel to record its ray; with Alt: select the cell there. Wheel: zoom into pixels; drag: move the zoomed picture. Middle button, or Alt and drag: orbit; with "
+      "Shift: move aside; Alt and wheel: nearer. Right button: look around, and fly with W A S D Q E (Shift: faster, wheel or + and -: speed). Drop a scene or a capture on "
       "the window to open it. Double click a splitter to bring it back.");
   ImGui::PopStyleColor();
   ImGui::End();

@@ -110,10 +110,11 @@ void drawLegendBox(const WindowModel& model, const View& view, ValueRange range,
 }
 
 void drawLegendLine(const WindowModel& model, const View& view, ValueRange range, ImVec2 right, float left) {
-  const std::vector<Meaning> meanings = viewMeanings(view);
   if (view.range == ViewRange::none) {
-    const float width = meaningsWidth(meanings);
-    if (right.x - width > left) drawMeanings(meanings, {right.x - width, right.y}, packed(uiColour(UiColour::text)));
+    // As many as there is room for, the first ones.
+    std::vector<Meaning> meanings = viewMeanings(view);
+    while (!meanings.empty() && right.x - meaningsWidth(meanings) <= left) meanings.pop_back();
+    drawMeanings(meanings, {right.x - meaningsWidth(meanings), right.y}, packed(uiColour(UiColour::text)));
     return;
   }
   ImFont* font = windowFonts().mono;
@@ -135,30 +136,37 @@ void drawGizmo(WindowModel& model, ImVec2 centre, float radius) {
   const vec3 forward = glm::normalize(pose.target - pose.eye), right = glm::normalize(glm::cross(forward, pose.up)), up = glm::cross(right, forward);
   struct Arm {
     int axis;
+    bool positive;
     float depth;
     ImVec2 end;
   };
-  std::array<Arm, 3> arms;
-  for (int axis = 0; axis < 3; ++axis) {
+  std::array<Arm, 6> arms;
+  for (int i = 0; i < 6; ++i) {
     vec3 direction(0.0f);
-    direction[axis] = 1.0f;
+    direction[i / 2] = i % 2 == 0 ? 1.0f : -1.0f;
     const float length = radius - unit(8);
-    arms[size_t(axis)] = {axis, glm::dot(direction, forward),
-                          {centre.x + glm::dot(direction, right) * length, centre.y - glm::dot(direction, up) * length}};
+    arms[size_t(i)] = {i / 2, i % 2 == 0, glm::dot(direction, forward), {centre.x + glm::dot(direction, right) * length, centre.y - glm::dot(direction, up) * length}};
   }
   std::ranges::sort(arms, [](const Arm& a, const Arm& b) { return a.depth > b.depth; });
   const ImU32 colours[] = {IM_COL32(224, 122, 95, 255), IM_COL32(129, 178, 80, 255), IM_COL32(96, 148, 224, 255)};
   for (const Arm& arm : arms) {
-    list.AddLine(centre, arm.end, colours[arm.axis], unit(2));
-    list.AddCircleFilled(arm.end, unit(8), colours[arm.axis]);
-    const char letter[] = {"XYZ"[arm.axis], 0};
-    ImFont* font = windowFonts().sansBold;
-    const ImVec2 size = font->CalcTextSizeA(font->FontSize * 0.85f, FLT_MAX, 0.0f, letter);
-    list.AddText(font, font->FontSize * 0.85f, {arm.end.x - 0.5f * size.x, arm.end.y - 0.5f * size.y}, IM_COL32(20, 23, 27, 255), letter);
-    ImGui::SetCursorScreenPos({arm.end.x - unit(8), arm.end.y - unit(8)});
-    ImGui::PushID(arm.axis);
-    if (ImGui::InvisibleButton("axis", {unit(16), unit(16)})) lookAlong(model.camera, arm.axis, true);
+    const float half = unit(arm.positive ? 8 : 5);
+    if (arm.positive) {
+      list.AddLine(centre, arm.end, colours[arm.axis], unit(2));
+      list.AddCircleFilled(arm.end, half, colours[arm.axis]);
+      const char letter[] = {"XYZ"[arm.axis], 0};
+      ImFont* font = windowFonts().sansBold;
+      const ImVec2 size = font->CalcTextSizeA(font->FontSize * 0.85f, FLT_MAX, 0.0f, letter);
+      list.AddText(font, font->FontSize * 0.85f, {arm.end.x - 0.5f * size.x, arm.end.y - 0.5f * size.y}, IM_COL32(20, 23, 27, 255), letter);
+    } else {
+      list.AddCircleFilled(arm.end, half, IM_COL32(20, 23, 27, 200));
+      list.AddCircle(arm.end, half, colours[arm.axis], 0, unit(1.5f));
+    }
+    ImGui::SetCursorScreenPos({arm.end.x - half, arm.end.y - half});
+    ImGui::PushID(2 * arm.axis + (arm.positive ? 1 : 0));
+    if (ImGui::InvisibleButton("axis", {2.0f * half, 2.0f * half})) lookAlongOrBack(model.camera, arm.axis, arm.positive);
     ImGui::SetItemAllowOverlap();
+    whyTooltip((std::string("Looks from ") + (arm.positive ? "+" : "-") + "xyz"[arm.axis] + "; from the other side when it does already").c_str());
     ImGui::PopID();
   }
 }

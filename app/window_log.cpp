@@ -98,7 +98,7 @@ void logSelection(WindowModel& model, LoggedState& logged) {
 
 void logChanges(WindowModel& model, LoggedState& logged) {
   std::string views;
-  for (const std::string& view : requestOf(model).views) views += (views.empty() ? "" : ", ") + view;
+  for (const std::string& view : shownViews(model)) views += (views.empty() ? "" : ", ") + view;
   if (views != logged.views) note(model, "View " + (logged.views = views));
   if (model.shaderFault != logged.shaderFault) {
     logged.shaderFault = model.shaderFault;

@@ -38,12 +38,14 @@ struct ViewportPlace {
 
 struct Overlays {
   bool cellBoxes = false;
-  std::array<int, 2> occupancy{1, 1 << 30};  // references tried (stored + refused) of the cells whose boxes are drawn
+  size_t boxMeasure = 0;               // what chooses and colours the boxes: of boxMeasures()
+  std::array<int, 2> boxRange{1, 1 << 30};  // its values whose boxes are drawn
   bool saturatedBoxes = false;
   bool raySegments = true;
   bool visitedCells = true;
   bool testedTriangles = true;
   bool selection = true;
+  bool lens = true;                    // on the selected step's cell, where it is small in the picture
   bool clip = false;                   // only what lies in clipBox
   Bounds clipBox;                      // world
 };
@@ -83,10 +85,19 @@ struct RayOrder {
 // What A/B shows beside the live frame.
 struct CompareState {
   enum class With { view, frame } with = With::view;  // another view of this frame, or the kept frame
-  std::shared_ptr<const FrameSnapshot> kept;          // a copy of a frame with other settings, or of a capture
-  bool flip = false;                   // showing B
-  bool wipes = true;                   // a split that can be dragged, instead of flipping
+  std::shared_ptr<const FrameSnapshot> kept;          // a frame with other settings, or of a capture
+  bool completing = false;             // views that it lacks are on their way
+  bool flip = false;                   // showing B where A was; with a wipe: the sides are exchanged
+  bool wipes = true;                   // both, with a split between them that can be dragged
   float split = 0.5f;
+};
+
+// The selected ray, and from where it was recorded.
+struct HeldRay {
+  std::shared_ptr<const RecordedRay> ray;             // never null
+  CameraPose pose;
+  std::shared_ptr<const Grid> grid;                   // that it went through
+  TraceParameters trace{};                            // and by which rules
 };
 
 // Long work that the worker is doing.
@@ -132,12 +143,14 @@ struct WindowModel {
   bool selectingArea = false;                    // the next drag in the viewport draws it
   RayOrder rayOrder;
   std::optional<uint32_t> hoveredPixel;
+  std::optional<HeldRay> held;                   // stays when the camera goes on (held_ray.h)
 
   // Play.
   bool playing = false;                          // time
   double timeStep = 1.0 / 60.0;                  // seconds
   bool stepsPlaying = false;                     // the ray's steps
   float stepsPerSecond = 8.0f;
+  bool followStep = false;                       // the camera goes along with the selected step
 
   // Appearance.
   Workspace workspace = Workspace::grid;
@@ -147,6 +160,7 @@ struct WindowModel {
   std::array<Pane, 4> panes{Pane{"final"}, Pane{"verdict"}, Pane{"cause"}, Pane{"visits"}};
   int activePane = 0;
   std::optional<Bounds> focusWanted;             // world: the camera looks there, once
+  std::optional<vec2> pixelWanted;               // of the frame: zoomed panes move there, once
   bool linkedPanes = true;
   float shownScale = 1.0f;                       // screen pixels a frame pixel, of the pane that was drawn last
   std::array<ViewportPlace, 4> places;           // linked: the first is everyone's

@@ -36,23 +36,25 @@ struct BoxLine {
 struct BoxLines {
   std::shared_ptr<const Grid> grid;
   std::shared_ptr<const std::vector<GatherPixel>> gather;
+  std::shared_ptr<const std::vector<CellRays>> rays;
   CameraParameters camera{};
   Overlays overlays;
   uint32_t colourMap = 0;
-  std::vector<FullCell> occupied;      // of that grid
+  std::vector<BoxCell> occupied;       // of that grid
+  float top = 1.0f;                    // value at the end of the colours
   std::vector<BoxLine> lines;
   BoxChoice choice;
 };
 
 bool sameBoxes(const Overlays& a, const Overlays& b) {
-  return a.cellBoxes == b.cellBoxes && a.saturatedBoxes == b.saturatedBoxes && a.occupancy == b.occupancy && a.clip == b.clip &&
+  return a.cellBoxes == b.cellBoxes && a.saturatedBoxes == b.saturatedBoxes && a.boxMeasure == b.boxMeasure && a.boxRange == b.boxRange && a.clip == b.clip &&
          a.clipBox.low == b.clipBox.low && a.clipBox.high == b.clipBox.high;
 }
 
 void addEdge(BoxLines& boxes, const BoxEdge& edge, float farthest, const WindowModel& model) {
   const GridParameters& grid = boxes.grid->parameters;
   const std::span<const GatherPixel> gather = boxes.gather ? std::span<const GatherPixel>(*boxes.gather) : std::span<const GatherPixel>();
-  const float fill = float(edge.tried) / float(grid.capacity);
+  const float fill = float(edge.value) / boxes.top;
   const vec3 colour = edge.saturated ? unpackColour(kColourSaturatedBox) : gridscope::colourMap(model.colourMap, fill);
   for (const ProjectedLine& piece : projectLine(boxes.camera, gather, edge.line, 0.1f * grid.cellEdge)) {
     if (piece.hidden) continue;
@@ -64,32 +66,44 @@ void addEdge(BoxLines& boxes, const BoxEdge& edge, float farthest, const WindowM
 const BoxLines& boxLines(const WindowModel& model, const CameraParameters& camera) {
   static BoxLines boxes;
   const FrameSnapshot& frame = *model.frame;
-  const bool sameGrid = boxes.grid == frame.grid;
-  const bool same = sameGrid && boxes.gather == frame.gather && std::memcmp(&boxes.camera, &camera, sizeof(camera)) == 0 &&
+  const bool sameCells = boxes.grid == frame.grid && boxes.rays == frame.cellRays;
+  const bool same = sameCells && boxes.gather == frame.gather && std::memcmp(&boxes.camera, &camera, sizeof(camera)) == 0 &&
                     sameBoxes(boxes.overlays, model.overlays) && boxes.colourMap == model.colourMap;
   if (same) return boxes;
-  if (!sameGrid) boxes.occupied = occupiedCells(*frame.grid);
+  if (!sameCells) boxes.occupied = occupiedCells(*frame.grid, frame.cellRays ? std::span<const CellRays>(*frame.cellRays) : std::span<const CellRays>());
+  boxes.rays = frame.cellRays;
   boxes.grid = frame.grid, boxes.gather = frame.gather, boxes.camera = camera, boxes.overlays = model.overlays, boxes.colourMap = model.colourMap;
+  const BoxMeasure& measure = boxMeasure(model.overlays);
+  boxes.top = boxTop(measure, boxes.occupied, frame.grid->parameters.capacity);
   boxes.choice = chooseBoxes(boxes.occupied, frame.grid->parameters, model.overlays, camera, kMostBoxes);
   boxes.lines.clear();
   if (boxes.choice.cells.empty()) return boxes;
-  const Bounds last = cellBounds(frame.grid->parameters, boxes.choice.cells.back().cell);
+  const Bounds last = cellBounds(frame.grid->parameters, boxes.choice.cells.back().full.cell);
   const float farthest = std::max(glm::length(0.5f * (last.low + last.high) - camera.eye), 1e-6f);
-  for (const BoxEdge& edge : boxEdgesOf(boxes.choice.cells, frame.grid->parameters)) addEdge(boxes, edge, farthest, model);
+  for (const BoxEdge& edge : boxEdgesOf(boxes.choice.cells, frame.grid->parameters, measure)) addEdge(boxes, edge, farthest, model);
   return boxes;
+}
+
+// What the boxes stand for, with the colours' ends, and how many are left out.
+void drawBoxNote(const WindowModel& model, const OverlayPainter& painter, const BoxLines& boxes) {
+  const BoxMeasure& measure = boxMeasure(model.overlays);
+  std::string text;
+  if (model.overlays.cellBoxes) text = measure.ofRays && !model.frame->cellRays ? "boxes: rays are being counted" : std::string("boxes: ") + measure.name + printed(", 0 to %.0f", double(boxes.top));
+  if (boxes.choice.wanted > boxes.choice.cells.size())
+    text += (text.empty() ? "boxes: " : "; ") + std::string("the nearest ") + grouped(boxes.choice.cells.size()) + " of " + grouped(boxes.choice.wanted);
+  if (text.empty()) return;
+  ImFont* font = windowFonts().sansSmall;
+  const float width = font->CalcTextSizeA(font->FontSize, FLT_MAX, 0.0f, text.c_str()).x;
+  const ImVec2 low(0.5f * (painter.pane.min.x + painter.pane.max.x - width) - unit(8), painter.pane.min.y + unit(8));
+  painter.list->AddRectFilled(low, ImVec2(low.x + width + unit(16), low.y + unit(20)), IM_COL32(20, 23, 27, 200), unit(3));
+  painter.list->AddText(font, font->FontSize, ImVec2(low.x + unit(8), low.y + unit(3)), IM_COL32(217, 223, 229, 255), text.c_str());
 }
 
 void drawBoxes(const WindowModel& model, const OverlayPainter& painter) {
   if (!model.overlays.cellBoxes && !model.overlays.saturatedBoxes) return;
   const BoxLines& boxes = boxLines(model, painter.pane.camera);
   for (const BoxLine& line : boxes.lines) painter.list->AddLine(painter.pane.toScreen(line.a), painter.pane.toScreen(line.b), line.colour, unit(line.width));
-  if (boxes.choice.wanted <= boxes.choice.cells.size()) return;
-  const std::string text = "the nearest " + grouped(boxes.choice.cells.size()) + " of " + grouped(boxes.choice.wanted) + " boxes";
-  ImFont* font = windowFonts().sansSmall;
-  const float width = font->CalcTextSizeA(font->FontSize, FLT_MAX, 0.0f, text.c_str()).x;
-  const ImVec2 low(0.5f * (painter.pane.min.x + painter.pane.max.x - width) - unit(8), painter.pane.max.y - unit(30));
-  painter.list->AddRectFilled(low, ImVec2(low.x + width + unit(16), low.y + unit(20)), IM_COL32(20, 23, 27, 200), unit(3));
-  painter.list->AddText(font, font->FontSize, ImVec2(low.x + unit(8), low.y + unit(3)), IM_COL32(217, 223, 229, 255), text.c_str());
+  drawBoxNote(model, painter, boxes);
 }
 
 // --- The selection ----------------------------------------------------------------------------------------------------------------
@@ -113,6 +127,11 @@ void drawSelection(const WindowModel& model, const OverlayPainter& painter) {
 }
 
 }  // namespace
+
+std::span<const BoxCell> drawnBoxes(const WindowModel& model, const PaneRect& pane) {
+  if (!model.frame->grid || (!model.overlays.cellBoxes && !model.overlays.saturatedBoxes)) return {};
+  return boxLines(model, pane.camera).choice.cells;
+}
 
 void drawOverlays(const WindowModel& model, const PaneRect& pane) {
   const FrameSnapshot* frame = model.frame.get();

@@ -23,6 +23,10 @@ void strokePiece(ImDrawList* list, ImVec2 a, ImVec2 b, const LineStyle& style, b
 
 }  // namespace
 
+ImU32 pictureColour(uint32_t colour, float alpha) {
+  return IM_COL32((colour >> 16) & 255u, (colour >> 8) & 255u, colour & 255u, int(255.0f * alpha));
+}
+
 ImU32 withAlpha(ImU32 colour, float alpha) {
   const auto old = float(colour >> IM_COL32_A_SHIFT & 255u);
   return (colour & ~IM_COL32_A_MASK) | (ImU32(old * std::clamp(alpha, 0.0f, 1.0f)) << IM_COL32_A_SHIFT);

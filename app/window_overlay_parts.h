@@ -34,6 +34,8 @@ struct OverlayPainter {
   bool inPane(ImVec2 place) const;
 };
 
+// In pictures colours are the dark theme's, whatever the window's: 0xRRGGBB.
+ImU32 pictureColour(uint32_t colour, float alpha = 1.0f);
 ImU32 withAlpha(ImU32 colour, float alpha);
 void dashedLine(ImDrawList* list, ImVec2 a, ImVec2 b, ImU32 colour, float width);
 

@@ -8,6 +8,7 @@
 #include "app/table_rows.h"
 #include "app/text.h"
 #include "app/window_overlay.h"
+#include "app/window_pane_parts.h"
 #include "app/window_widgets.h"
 #include "shaders/shared/palette.h"
 
@@ -16,21 +17,7 @@ namespace gridscope {
 namespace {
 
 constexpr size_t kMostTriangles = 400;                 // tested ones that are drawn
-constexpr float kLeastCallout = 480.0f;                // width of a pane that has room for callouts, pixels at UI scale 1
-
-// In pictures colours are the dark theme's, whatever the window's.
-ImU32 pictureColour(uint32_t colour, float alpha = 1.0f) {
-  return IM_COL32((colour >> 16) & 255u, (colour >> 8) & 255u, colour & 255u, int(255.0f * alpha));
-}
-
-// Where a step of the ray ends: where the ray does, in its last step.
-float shownEnd(const FrameSnapshot& frame, const RecordedRay& ray, uint32_t step) {
-  const std::vector<StepRecord>& steps = ray.record.steps;
-  const bool hits = ray.record.hit.kind == kHitTriangle || ray.record.hit.kind == kHitVoxel;
-  if (step + 1 < steps.size()) return steps[step + 1].start;
-  if (hits) return ray.record.hit.t;
-  return steps[step].outcome == kStepOutside ? steps[step].start : steps[step].start + frame.grid->parameters.cellEdge;
-}
+constexpr float kLeastCallout = 480.0f;                // width of a pane that has room for legend and callouts, pixels at UI scale 1
 
 void drawVisitedCells(const OverlayPainter& painter, const FrameSnapshot& frame, const RecordedRay& ray, uint32_t selected) {
   const GridParameters& grid = frame.grid->parameters;
@@ -102,118 +89,62 @@ void drawEnds(const OverlayPainter& painter, const RecordedRay& ray) {
   diamond(unit(6.5f), pictureColour(hit.kind == kHitVoxel ? kColourVoxelHit : kColourTriangleHit));
 }
 
-// --- Callouts ---------------------------------------------------------------------------------------------------------------------
-
-struct CalloutLine {
-  std::string text;
-  ImFont* font;
-  ImU32 colour;
-};
-
-ImVec2 textSize(const CalloutLine& line) { return line.font->CalcTextSizeA(line.font->FontSize, FLT_MAX, 0.0f, line.text.c_str()); }
-
-// A box with lines of text at the end of a leader from `at`, which goes `way` (about one box's size).
-void drawCallout(const OverlayPainter& painter, ImVec2 at, ImVec2 way, std::span<const CalloutLine> lines) {
-  ImVec2 size(0.0f, unit(8));
-  for (const CalloutLine& line : lines) {
-    const ImVec2 text = textSize(line);
-    size = ImVec2(std::max(size.x, text.x + unit(18)), size.y + text.y + unit(3));
-  }
-  const PaneRect& pane = painter.pane;
-  ImVec2 low(at.x + way.x - 0.5f * size.x, at.y + way.y - 0.5f * size.y);
-  low.x = std::floor(std::clamp(low.x, pane.min.x + unit(8), std::max(pane.max.x - size.x - unit(8), pane.min.x + unit(8))));
-  const float top = pane.min.y + unit(30);  // below the legend
-  low.y = std::floor(std::clamp(low.y, top, std::max(pane.max.y - size.y - unit(8), top)));
-  const ImVec2 high(low.x + size.x, low.y + size.y);
-  const ImVec2 end(std::clamp(at.x, low.x, high.x), std::clamp(at.y, low.y, high.y));
-  painter.list->AddLine(at, end, IM_COL32(0, 0, 0, 150), unit(3));
-  painter.list->AddLine(at, end, IM_COL32(255, 255, 255, 220), unit(1));
-  painter.list->AddRectFilled(low, high, IM_COL32(20, 23, 27, 232), unit(3));
-  painter.list->AddRect(low, high, IM_COL32(70, 78, 88, 255), unit(3));
-  float y = low.y + unit(5);
-  for (const CalloutLine& line : lines) {
-    painter.list->AddText(line.font, line.font->FontSize, ImVec2(low.x + unit(9), y), line.colour, line.text.c_str());
-    y += textSize(line).y + unit(3);
-  }
-}
-
-std::vector<CalloutLine> stepLines(const FrameSnapshot& frame, const RecordedRay& ray, const StepFacts& facts) {
-  const StepLook& look = stepLook(facts.kind);
-  std::vector<CalloutLine> lines{{printed("Step %u, ", facts.index) + std::string(look.word), windowFonts().sansBold, pictureColour(look.colour)}};
-  const bool ends = facts.index + 1 == ray.record.steps.size() && (ray.record.hit.kind == kHitVoxel || ray.record.hit.kind == kHitTriangle);
-  lines.push_back({printed("cell %d, %d, %d | t %.3f", facts.cell.x, facts.cell.y, facts.cell.z, ends ? ray.record.hit.t : facts.startT), windowFonts().mono, IM_COL32(217, 223, 229, 255)});
-  const auto would = std::find_if(facts.refusedTests.begin(), facts.refusedTests.end(), [](const RefusedFacts& refused) { return refused.wouldHit; });
-  if (would != facts.refusedTests.end())
-    lines.push_back({"triangle " + grouped(would->name.triangle) + " was refused", windowFonts().sansSmall, pictureColour(kColourSaturated)});
-  else if (facts.refused > 0)
-    lines.push_back({printed("%u stored, %u refused", facts.stored, facts.refused), windowFonts().sansSmall, pictureColour(kColourSaturated)});
-  else if (!facts.tests.empty())
-    lines.push_back({printed("%zu tested", facts.tests.size()), windowFonts().sansSmall, IM_COL32(143, 154, 166, 255)});
-  if (ends && facts.kind == StepOutcome::hit) lines.push_back({meshName(*frame.scene, nameTriangle(frame.scene->numbered, ray.record.hit.reference).mesh), windowFonts().sansSmall, IM_COL32(143, 154, 166, 255)});
-  return lines;
-}
-
-std::vector<CalloutLine> originLines(const FrameSnapshot& frame, const RecordedRay& ray) {
-  const uint32_t width = frame.request.settings->width;
-  std::vector<CalloutLine> lines{{printed("Origin, pixel %u, %u", ray.pixel % width, ray.pixel / width), windowFonts().sansBold, IM_COL32(217, 223, 229, 255)}};
-  if (!frame.gather || ray.pixel >= frame.gather->size() || (*frame.gather)[ray.pixel].reference == kBlank) return lines;
-  const TriangleName name = nameTriangle(frame.scene->numbered, (*frame.gather)[ray.pixel].reference);
-  lines.push_back({meshName(*frame.scene, name.mesh) + ", triangle " + grouped(name.triangle), windowFonts().sansSmall, IM_COL32(143, 154, 166, 255)});
-  return lines;
-}
-
-// Callouts stand across the ray, above it the step's and below it the origin's, so that they do not cover it.
-void drawCallouts(const OverlayPainter& painter, const FrameSnapshot& frame, const RecordedRay& ray, const StepFacts& facts) {
-  if (painter.pane.max.x - painter.pane.min.x < unit(kLeastCallout)) return;
-  const uint32_t last = static_cast<uint32_t>(ray.record.steps.size()) - 1;
-  const std::optional<ImVec2> origin = painter.place(ray.ray.origin), end = painter.place(rayPoint(ray.ray, shownEnd(frame, ray, last)));
-  ImVec2 along(1.0f, 0.0f);
-  if (origin && end)
-    if (const float length = std::hypot(end->x - origin->x, end->y - origin->y); length > 1.0f) along = ImVec2((end->x - origin->x) / length, (end->y - origin->y) / length);
-  ImVec2 across(along.y, -along.x);
-  if (across.y > 0.0f) across = ImVec2(-across.x, -across.y);
-  const bool atEnd = facts.index == last && (ray.record.hit.kind == kHitVoxel || ray.record.hit.kind == kHitTriangle);
-  const std::optional<ImVec2> step = painter.place(rayPoint(ray.ray, atEnd ? ray.record.hit.t : facts.startT));
-  if (step && painter.inPane(*step)) drawCallout(painter, *step, ImVec2(across.x * unit(130), across.y * unit(80) - unit(16)), stepLines(frame, ray, facts));
-  if (origin && painter.inPane(*origin) && frame.request.settings && facts.index > 0)
-    drawCallout(painter, *origin, ImVec2(-across.x * unit(120) - along.x * unit(60), -across.y * unit(60) + unit(16)), originLines(frame, ray));
-}
-
 // What the colours mean: only the outcomes that this ray has.
 void drawLegend(const OverlayPainter& painter, const RecordedRay& ray) {
-  if (painter.pane.max.x - painter.pane.min.x < unit(kLeastCallout)) return;
   std::set<StepOutcome> outcomes;
   for (uint32_t step = 0; step < ray.record.steps.size(); ++step) outcomes.insert(stepOutcome(ray.record, step));
   ImFont* font = windowFonts().sansSmall;
+  const auto wordWidth = [&](StepOutcome outcome) { return font->CalcTextSizeA(font->FontSize, FLT_MAX, 0.0f, stepLook(outcome).word.data()).x; };
   float width = unit(8);
-  for (const StepOutcome outcome : outcomes) width += unit(30) + font->CalcTextSizeA(font->FontSize, FLT_MAX, 0.0f, stepLook(outcome).word.data()).x;
-  const ImVec2 low(painter.pane.min.x + unit(10), painter.pane.min.y + unit(10)), high(low.x + width, low.y + unit(22));
+  for (const StepOutcome outcome : outcomes) width += unit(30) + wordWidth(outcome);
+  const ImVec2 low = lowerLeft(painter.pane, ImVec2(width, unit(22))), high(low.x + width, low.y + unit(22));
   painter.list->AddRectFilled(low, high, IM_COL32(20, 23, 27, 215), unit(3));
   float x = low.x + unit(8);
   for (const StepOutcome outcome : outcomes) {
     const StepLook& look = stepLook(outcome);
     drawStepGlyph(painter.list, ImVec2(x + unit(6), low.y + unit(11)), unit(10), outcome);
     painter.list->AddText(font, font->FontSize, ImVec2(x + unit(16), low.y + unit(4)), IM_COL32(217, 223, 229, 255), look.word.data(), look.word.data() + look.word.size());
-    x += unit(30) + font->CalcTextSizeA(font->FontSize, FLT_MAX, 0.0f, look.word.data()).x;
+    x += unit(30) + wordWidth(outcome);
   }
+}
+
+void drawRay(const WindowModel& model, const OverlayPainter& painter, const ShownStep& shown) {
+  const Overlays& overlays = model.overlays;
+  const FrameSnapshot& frame = *model.frame;
+  const RecordedRay& ray = *shown.ray;
+  if (overlays.visitedCells) drawVisitedCells(painter, frame, ray, shown.facts.index);
+  if (overlays.testedTriangles) drawTriangles(model, painter, shown.facts);
+  if (!overlays.raySegments) return;
+  drawSegments(painter, frame, ray);
+  drawStepMarks(painter, ray, shown.facts.index);
+  drawEnds(painter, ray);
 }
 
 }  // namespace
 
+float shownEnd(const FrameSnapshot& frame, const RecordedRay& ray, uint32_t step) {
+  const std::vector<StepRecord>& steps = ray.record.steps;
+  const bool hits = ray.record.hit.kind == kHitTriangle || ray.record.hit.kind == kHitVoxel;
+  if (step + 1 < steps.size()) return steps[step + 1].start;
+  if (hits) return ray.record.hit.t;
+  return steps[step].outcome == kStepOutside ? steps[step].start : steps[step].start + frame.grid->parameters.cellEdge;
+}
+
+bool rayLegendShown(const WindowModel& model, const PaneRect& pane) {
+  return model.overlays.raySegments && pane.max.x - pane.min.x >= unit(kLeastCallout) && shownStepFacts(model);
+}
+
 void drawRayOverlay(const WindowModel& model, const OverlayPainter& painter) {
-  const Overlays& overlays = model.overlays;
   const ShownStep* shown = shownStepFacts(model);
   if (!shown) return;
-  const FrameSnapshot& frame = *model.frame;
-  const RecordedRay& ray = *shown->ray;
-  if (overlays.visitedCells) drawVisitedCells(painter, frame, ray, shown->facts.index);
-  if (overlays.testedTriangles) drawTriangles(model, painter, shown->facts);
-  if (!overlays.raySegments) return;
-  drawSegments(painter, frame, ray);
-  drawStepMarks(painter, ray, shown->facts.index);
-  drawEnds(painter, ray);
-  drawCallouts(painter, frame, ray, shown->facts);
-  drawLegend(painter, ray);
+  drawRay(model, painter, *shown);
+  if (!rayLegendShown(model, painter.pane)) return;
+  drawCallouts(model, painter, *shown);
+  drawLegend(painter, *shown->ray);
+}
+
+void drawRayInLens(const WindowModel& model, const OverlayPainter& painter) {
+  if (const ShownStep* shown = shownStepFacts(model)) drawRay(model, painter, *shown);
 }
 
 }  // namespace gridscope

@@ -24,6 +24,7 @@ struct PaneRect {
   float scale = 1.0f;                            // screen pixels a frame pixel
   CameraParameters camera{};                     // that the frame was gathered from
   int pane = 0;                                  // 0..3
+  ImVec2 legend{0, 0};                           // size of the view's legend in the lower right corner; 0: none
   ImVec2 toScreen(vec2 pixel) const { return {origin.x + pixel.x * scale, origin.y + pixel.y * scale}; }  // (0, 0): the first pixel's corner
   vec2 toPixel(ImVec2 place) const { return {(place.x - origin.x) / scale, (place.y - origin.y) / scale}; }
 };

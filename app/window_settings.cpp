@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "app/camera_moves.h"
+#include "app/cell_boxes.h"
 #include "app/model_flow.h"
 #include "app/text.h"
 #include "app/window_actions.h"
@@ -189,14 +190,20 @@ void drawTrace(WindowModel& model) {
 
 void drawOverlaySwitches(WindowModel& model) {
   Overlays& o = model.overlays;
-  const int on = o.cellBoxes + o.saturatedBoxes + o.raySegments + o.visitedCells + o.testedTriangles + o.selection + o.clip;
+  const int on = o.cellBoxes + o.saturatedBoxes + o.raySegments + o.visitedCells + o.testedTriangles + o.lens + o.selection + o.clip;
   if (!sectionHeader("Overlays", printed("%d on", on))) return;
-  ImGui::Checkbox("Cell boxes, tried references", &o.cellBoxes);
+  ImGui::Checkbox("Cell boxes", &o.cellBoxes);
   if (o.cellBoxes) {
-    int range[2] = {o.occupancy[0], std::min(o.occupancy[1], 1 << 20)};
+    label("by", "What a box's colour shows, and which boxes are drawn");
+    if (ImGui::BeginCombo("##measure", boxMeasure(o).name)) {
+      for (size_t i = 0; i < boxMeasures().size(); ++i)
+        if (ImGui::Selectable(boxMeasures()[i].name, i == o.boxMeasure)) o.boxMeasure = i, o.boxRange = Overlays().boxRange;
+      ImGui::EndCombo();
+    }
+    int range[2] = {o.boxRange[0], std::min(o.boxRange[1], 1 << 20)};
     ImGui::SetNextItemWidth(-1);
-    if (ImGui::DragIntRange2("##occupancy", &range[0], &range[1], 0.3f, 1, 1 << 20, "from %d", range[1] >= 1 << 20 ? "to the most" : "to %d"))
-      o.occupancy = {range[0], range[1]};
+    if (ImGui::DragIntRange2("##boxes", &range[0], &range[1], 0.3f, 1, 1 << 20, "from %d", range[1] >= 1 << 20 ? "to the most" : "to %d"))
+      o.boxRange = {range[0], range[1]};
   }
   ImGui::Checkbox("Saturated cells", &o.saturatedBoxes);
   ImGui::SameLine();
@@ -205,6 +212,7 @@ void drawOverlaySwitches(WindowModel& model) {
   ImGui::Checkbox("Ray segments by outcome", &o.raySegments);
   ImGui::Checkbox("Cells the ray visited", &o.visitedCells);
   ImGui::Checkbox("Tested triangles", &o.testedTriangles);
+  ImGui::Checkbox("Lens on the step's cell", &o.lens);
   ImGui::Checkbox("Selection", &o.selection);
   ImGui::Checkbox("Clip box", &o.clip);
   if (!o.clip || !model.frame->scene) return;

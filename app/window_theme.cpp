@@ -90,7 +90,7 @@ ImVec4 meaningColour(uint32_t darkColour) {
   return unpacked(darkColour);
 }
 
-ImU32 packed(const ImVec4& colour) { return ImGui::ColorConvertFloat4ToU32(colour); }
+ImU32 packed(const ImVec4& colour) { return ImGui::ColorConvertFloat4ToU32({colour.x, colour.y, colour.z, colour.w * ImGui::GetStyle().Alpha}); }
 
 float unit(float pixels) { return std::round(pixels * presentScale); }
 

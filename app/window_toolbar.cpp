@@ -11,6 +11,7 @@
 #include "app/text.h"
 #include "app/window_actions.h"
 #include "app/window_panels.h"
+#include "app/window_stale.h"
 #include "app/window_widgets.h"
 
 namespace gridscope {
@@ -177,10 +178,13 @@ void drawStatusLine(WindowModel& model) {
   for (const StageTime& time : times)
     if (roomy || time.always) statusPair(time.name, printed(time.ms < 10.0 ? "%.1f ms" : "%.0f ms", time.ms));
   const GridStatistics& totals = frame.totals.statistics;
-  statusPair("stored", grouped(frame.totals.stored()));
-  statusPair("refused", grouped(frame.totals.refused()) + " (" + percentOf(frame.totals.refused(), std::max<uint64_t>(frame.tried, 1)) + ")");
-  swatch(kColourSaturated, true);
-  statusPair("saturated", grouped(totals.saturated) + (roomy ? " of " + grouped(totals.occupied) + " cells" : ""));
+  {
+    const StaleDim dim(staleValues(model).grid);
+    statusPair("stored", grouped(frame.totals.stored()));
+    statusPair("refused", grouped(frame.totals.refused()) + " (" + percentOf(frame.totals.refused(), std::max<uint64_t>(frame.tried, 1)) + ")");
+    swatch(kColourSaturated, true);
+    statusPair("saturated", grouped(totals.saturated) + (roomy ? " of " + grouped(totals.occupied) + " cells" : ""));
+  }
   if (frame.request.settings) {
     const std::string size = printed("%u x %u", frame.request.settings->width, frame.request.settings->height);
     const std::string progress = frame.stale || frame.traced < 1.0f ? printed("  traced %.0f %%", 100.0 * double(frame.traced)) : "";

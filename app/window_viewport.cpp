@@ -2,11 +2,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/frame_changes.h"
+#include "app/held_ray.h"
 #include "app/model_flow.h"
+#include "app/ray_stepping.h"
 #include "app/text.h"
 #include "app/window_actions.h"
 #include "app/window_legend.h"
 #include "app/window_pane.h"
+#include "app/window_steering.h"
 #include "app/window_widgets.h"
 
 namespace gridscope {
@@ -55,17 +59,18 @@ PanePicture pictureOf(const WindowModel& model, int pane) {
   return {.frame = model.frame.get(), .view = shown.view, .key = "pane " + std::to_string(pane), .range = shown.range};
 }
 
-// B: another view of this frame, or the same view of the kept one.
+// B: another view of this frame, or the same view of the kept one, in the same colours.
 PanePicture secondPicture(const WindowModel& model) {
   PanePicture second = pictureOf(model, model.activePane);
-  second.key = "second";
   if (model.comparison.with == CompareState::With::frame) {
+    second.range = shownRange(second);
     second.frame = model.comparison.kept.get();
   } else {
     const Pane& other = model.panes[size_t(model.activePane) ^ 1u];
     second.view = other.view;
     second.range = other.range;
   }
+  second.key = "second";
   return second;
 }
 
@@ -127,10 +132,17 @@ void barCompare(WindowModel& model) {
   else actionButton(model, "Keep frame as B", "Keep");
   ImGui::SameLine();
   if (ImGui::RadioButton("wipe", compare.wipes)) compare.wipes = true;
+  whyTooltip("Both, with a split between them that can be dragged");
   ImGui::SameLine();
-  if (ImGui::RadioButton("flip", !compare.wipes)) compare.wipes = false;
+  if (ImGui::RadioButton("whole", !compare.wipes)) compare.wipes = false;
+  whyTooltip("One of them at a time");
   ImGui::SameLine();
-  if (!compare.wipes) actionButton(model, "Flip A/B", compare.flip ? "B" : "A");
+  actionButton(model, "Flip A/B", compare.wipes ? "Flip" : compare.flip ? "B" : "A");
+  if (compare.with != CompareState::With::frame || !compare.kept || !compare.kept->request.settings || !model.request.settings) return;
+  const CameraPose& kept = compare.kept->request.settings->camera;
+  ImGui::SameLine();
+  if (keyButton("Its camera", "", !sameCamera(kept, model.camera.pose), "The camera stands where the kept frame's does")) model.camera.pose = kept;
+  whyTooltip("Moves the live frame's camera to the kept frame's");
 }
 
 void barCamera(WindowModel& model, float right, float zoom) {
@@ -143,6 +155,18 @@ void barCamera(WindowModel& model, float right, float zoom) {
   actionButton(model, "Focus", "Focus");
   ImGui::SameLine();
   textMono(printed("%.0f %%", 100.0 * double(zoom)));
+}
+
+// With a ray: follow its steps, and go back to where it was recorded from.
+void barRay(WindowModel& model) {
+  if (!shownStep(model) || model.layout == ViewportLayout::compare) return;
+  ImGui::SameLine(0.0f, unit(12));
+  ImGui::Checkbox("Follow step", &model.followStep);
+  whyTooltip("The camera goes along with the selected step; the ray stays as it was recorded");
+  if (!rayIsHeld(model)) return;
+  ImGui::SameLine(0.0f, unit(8));
+  if (keyButton("Ray's camera", "")) returnToRay(model), model.followStep = false;
+  whyTooltip("Goes back to where the shown ray was recorded from");
 }
 
 // Returns its height.
@@ -163,6 +187,7 @@ float drawBar(WindowModel& model, ImVec2 low, float width) {
   barCompare(model);
   barRange(model);
   barSlice(model);
+  barRay(model);
   if (model.selectingArea || model.area) {
     ImGui::SameLine();
     actionButton(model, "Select area", model.area ? "Leave area" : "Draw an area");
@@ -172,7 +197,9 @@ float drawBar(WindowModel& model, ImVec2 low, float width) {
   return height;
 }
 
-void drawFour(WindowModel& model, ImVec2 low, ImVec2 high) {
+// True: the mouse is over a picture.
+bool drawFour(WindowModel& model, ImVec2 low, ImVec2 high) {
+  bool overPane = false;
   const float gap = unit(kPaneGap), head = unit(kPaneHead);
   const float width = std::floor(0.5f * (high.x - low.x - gap)), height = std::floor(0.5f * (high.y - low.y - gap));
   for (int pane = 0; pane < 4; ++pane) {
@@ -183,11 +210,24 @@ void drawFour(WindowModel& model, ImVec2 low, ImVec2 high) {
     ImGui::SetCursorScreenPos({a.x + unit(4), a.y + unit(1)});
     chooseView("##view", model.panes[size_t(pane)].view, unit(120));
     ImGui::PopID();
-    const PanePicture picture = pictureOf(model, pane);
-    if (const View* view = findView(picture.view)) drawLegendLine(model, *view, shownRange(picture), {b.x - unit(6), a.y + unit(4)}, a.x + unit(130));
-    drawPane(model, pane, {a.x, a.y + head}, b, picture, nullptr);
+    const PaneContent content{.first = pictureOf(model, pane), .legends = false};
+    if (const View* view = findView(content.first.view)) drawLegendLine(model, *view, shownRange(content.first), {b.x - unit(6), a.y + unit(4)}, a.x + unit(130));
+    overPane |= drawPane(model, pane, {a.x, a.y + head}, b, content);
     if (pane == model.activePane) list.AddRect({a.x, a.y + head}, b, packed(uiColour(UiColour::accent)), 0.0f, 0, unit(1.5f));
   }
+  return overPane;
+}
+
+// Of flying, while it lasts.
+void drawSpeed(const WindowModel& model, ImVec2 low, ImVec2 high) {
+  if (!model.flying) return;
+  const std::string words = printed("Fly  %.3g /s   wheel or + - speed, Shift faster", double(model.camera.speed));
+  ImFont* font = windowFonts().sansSmall;
+  const ImVec2 size = font->CalcTextSizeA(font->FontSize, FLT_MAX, 0.0f, words.c_str());
+  const ImVec2 corner{0.5f * (low.x + high.x - size.x), high.y - size.y - unit(64)};
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.AddRectFilled({corner.x - unit(10), corner.y - unit(5)}, {corner.x + size.x + unit(10), corner.y + size.y + unit(5)}, IM_COL32(20, 23, 27, 225), unit(3));
+  list.AddText(font, font->FontSize, corner, IM_COL32(217, 223, 229, 255), words.c_str());
 }
 
 // Long work, with its bar and its end, where its result will be.
@@ -236,17 +276,17 @@ void drawViewport(WindowModel& model) {
   }
   const float bar = drawBar(model, low, size.x);
   const ImVec2 top{low.x, low.y + bar};
+  bool overPane = false;
   if (model.layout == ViewportLayout::four) {
-    drawFour(model, top, high);
+    overPane = drawFour(model, top, high);
   } else {
-    const PanePicture first = pictureOf(model, model.activePane);
-    const bool compares = model.layout == ViewportLayout::compare;
-    const PanePicture second = compares ? secondPicture(model) : PanePicture{};
-    const View* view = findView(first.view);
-    drawPane(model, model.activePane, top, high, first, compares ? &second : nullptr, view ? legendBoxSize(*view) : ImVec2(0, 0));
-    if (view) drawLegendBox(model, *view, shownRange(first), {high.x - unit(10), high.y - unit(10)});
+    PaneContent content{.first = pictureOf(model, model.activePane), .second = std::nullopt};
+    if (model.layout == ViewportLayout::compare) content.second = secondPicture(model);
+    overPane = drawPane(model, model.activePane, top, high, content);
     drawGizmo(model, {high.x - unit(46), top.y + unit(46)}, unit(34));
   }
+  steerCamera(model, overPane);
+  drawSpeed(model, top, high);
   drawWork(model, top, high);
   drawToast(model, top, high);
 }

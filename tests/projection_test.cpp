@@ -112,11 +112,11 @@ TEST(CellBoxes, NeighboursShareTheirEdges) {
   GridParameters grid{};
   grid.cellEdge = 1.0f;
   grid.cellCount = ivec3(4);
-  const std::vector<FullCell> cells{{.cell = ivec3(1), .stored = 3}, {.cell = ivec3(2, 1, 1), .stored = 5, .refused = 2, .saturated = true}};
-  const std::vector<BoxEdge> edges = boxEdgesOf(cells, grid);
+  const std::vector<BoxCell> cells{{{.cell = ivec3(1), .stored = 3}}, {{.cell = ivec3(2, 1, 1), .stored = 5, .refused = 2, .saturated = true}}};
+  const std::vector<BoxEdge> edges = boxEdgesOf(cells, grid, boxMeasures()[0]);
   EXPECT_EQ(edges.size(), 20u);
   EXPECT_EQ(std::count_if(edges.begin(), edges.end(), [](const BoxEdge& edge) { return edge.saturated; }), 12);
-  EXPECT_EQ(std::count_if(edges.begin(), edges.end(), [](const BoxEdge& edge) { return edge.tried == 3; }), 8);
+  EXPECT_EQ(std::count_if(edges.begin(), edges.end(), [](const BoxEdge& edge) { return edge.value == 3; }), 8);
 }
 
 TEST(CellBoxes, TheNearestInViewAndInRangeAreChosen) {
@@ -126,23 +126,48 @@ TEST(CellBoxes, TheNearestInViewAndInRangeAreChosen) {
   grid.inverseCellEdge = 1.0f;
   grid.cellCount = ivec3(16);
   const CameraParameters camera = testCamera();
-  std::vector<FullCell> cells;
-  forEachCell(grid, [&](const ivec3& cell) { cells.push_back({.cell = cell, .stored = uint32_t(cell.z)}); });
+  std::vector<BoxCell> cells;
+  forEachCell(grid, [&](const ivec3& cell) { cells.push_back({{.cell = cell, .stored = uint32_t(cell.z)}, {.read = 100u + uint32_t(cell.x), .empty = 0}}); });
   Overlays overlays;
   EXPECT_EQ(chooseBoxes(cells, grid, overlays, camera, 10).wanted, 0u) << "nothing is switched on";
   overlays.cellBoxes = true;
-  overlays.occupancy = {2, 6};
+  overlays.boxRange = {2, 6};
   const BoxChoice choice = chooseBoxes(cells, grid, overlays, camera, 10);
   ASSERT_EQ(choice.cells.size(), 10u);
   EXPECT_GT(choice.wanted, 10u);
   float last = 0.0f;
-  for (const FullCell& cell : choice.cells) {
-    EXPECT_GE(cell.tried(), 2u);
-    EXPECT_LE(cell.tried(), 6u);
-    const float distance = glm::length(gridCellCentre(grid, cell.cell) - camera.eye);
+  for (const BoxCell& cell : choice.cells) {
+    EXPECT_GE(cell.full.tried(), 2u);
+    EXPECT_LE(cell.full.tried(), 6u);
+    const float distance = glm::length(gridCellCentre(grid, cell.full.cell) - camera.eye);
     EXPECT_GE(distance, last);
     last = distance;
   }
+}
+
+TEST(CellBoxes, AMeasureOfRaysChoosesByRays) {
+  GridParameters grid{};
+  grid.origin = vec3(-8.0f);
+  grid.cellEdge = 1.0f;
+  grid.inverseCellEdge = 1.0f;
+  grid.cellCount = ivec3(16);
+  std::vector<BoxCell> cells;
+  forEachCell(grid, [&](const ivec3& cell) { cells.push_back({{.cell = cell, .stored = 4}, {.read = 100u + uint32_t(cell.x), .empty = 0}}); });
+  Overlays overlays;
+  overlays.cellBoxes = true;
+  for (size_t i = 0; i < boxMeasures().size(); ++i) {
+    if (!boxMeasures()[i].ofRays || boxMeasures()[i].value(cells[0]) == 0) continue;
+    overlays.boxMeasure = i;
+    overlays.boxRange = {103, 104};
+    const BoxChoice choice = chooseBoxes(cells, grid, overlays, testCamera(), 5000);
+    EXPECT_FALSE(choice.cells.empty());
+    for (const BoxCell& cell : choice.cells) EXPECT_TRUE(cell.full.cell.x == 3 || cell.full.cell.x == 4);
+    cells.back().rays.read = 100000;
+    EXPECT_EQ(boxTop(boxMeasures()[i], cells, 32), 115.0f) << "the top hundredth is left out";
+    EXPECT_EQ(boxEdgesOf(std::span(cells).subspan(0, 1), grid, boxMeasures()[i])[0].value, 100u);
+    return;
+  }
+  FAIL() << "no measure counts rays that read a cell";
 }
 
 }  // namespace

@@ -1,0 +1,21 @@
+// See stale_values.h.
+#include "app/stale_values.h"
+
+#include "app/frame_changes.h"
+#include "app/held_ray.h"
+#include "app/model_flow.h"
+
+namespace gridscope {
+
+StaleValues staleValues(const WindowModel& model) {
+  if (!model.frame || !model.frame->request.settings) return {};
+  const FrameSnapshot& frame = *model.frame;
+  const FrameRequest wanted = requestOf(model);
+  if (!wanted.settings) return {.grid = true, .rays = true, .steps = true};   // another source is being loaded
+  const FrameChanges changes = changesBetween(frame.request, wanted);
+  // After an update the demand is worked out again, once the new grid was read.
+  const bool rays = changes.trace || frame.stale;
+  return {.grid = changes.update || (frame.stale && !frame.demand), .rays = rays, .steps = rays && !rayIsHeld(model)};
+}
+
+}  // namespace gridscope

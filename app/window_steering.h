@@ -1,0 +1,11 @@
+// The mouse and the keys that steer the camera from a pane: fly with the right button, orbit with the middle one or Alt and the left one.
+#pragma once
+
+#include "app/window_model.h"
+
+namespace gridscope {
+
+// Once a display frame. `overPane`: the mouse is over a pane's picture, where steering may begin.
+void steerCamera(WindowModel& model, bool overPane);
+
+}  // namespace gridscope
