@@ -2,7 +2,6 @@
 #include "app/budget.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <optional>
 
@@ -41,18 +40,31 @@ bool holds(double value, Relation relation, double limit) {
   return false;
 }
 
-// Paths of all numbers and of yes and no, "cells.saturated"; lists are no figures.
-void listFigures(const Json& json, const std::string& path, std::vector<std::string>& paths) {
-  if (json.is_object())
-    for (const auto& [name, value] : json.items()) listFigures(value, path.empty() ? name : path + "." + name, paths);
-  else if (json.is_number() || json.is_boolean())
-    paths.push_back(path);
+// Paths of everything that a budget may name, "cells.saturated".
+struct Figures {
+  std::vector<std::string> named;      // numbers, yes and no, and figures without a value here: a short name may mean them
+  std::vector<std::string> listed;     // what lies in lists
+};
+
+void listFigures(const Json& json, const std::string& path, bool inList, Figures& figures) {
+  if (json.is_structured()) {
+    for (const auto& [name, value] : json.items()) listFigures(value, path.empty() ? name : path + "." + name, inList || json.is_array(), figures);
+  } else if (!json.is_string()) {
+    (inList ? figures.listed : figures.named).push_back(path);
+  }
 }
 
-const Json& at(const Json& results, const std::string& path) {
+// What lies at a path. Nothing: it leads nowhere; `intoEmptyList` says that it does so through a list without elements.
+const Json* find(const Json& results, const std::string& path, bool* intoEmptyList = nullptr) {
   const Json* json = &results;
-  for (const std::string& name : splitText(path, '.')) json = &json->at(name);
-  return *json;
+  for (const std::string& name : splitText(path, '.')) {
+    if (intoEmptyList && json->is_array() && json->empty()) *intoEmptyList = true;
+    if (json->is_object() && json->contains(name)) json = &json->at(name);
+    else if (json->is_array() && !name.empty() && name.size() < 9 && name.find_first_not_of("0123456789") == std::string::npos && std::stoul(name) < json->size())
+      json = &json->at(std::stoul(name));
+    else return nullptr;
+  }
+  return json;
 }
 
 // Least number of letters to change, add or drop (Levenshtein).
@@ -81,26 +93,51 @@ std::string nearestNames(const std::vector<std::string>& paths, const std::strin
   return joined(sorted, ", ");
 }
 
-// Counts of rays, by verdict or cause say: a short name like `refused` does not mean them.
+// Is some part of the path one of these groups?
+bool liesIn(const std::string& path, std::initializer_list<std::string> groups) {
+  return std::ranges::any_of(groups, [&](const std::string& group) { return path.starts_with(group) || path.find("." + group) != std::string::npos; });
+}
+
+// Counts of rays by verdict or cause: a short name like `refused` does not mean them where something else has it.
+bool tellsTruth(const std::string& path) { return liesIn(path, {"agree.", "verdicts.", "causes.", "rays."}) || lastName(path) == "wrong" || lastName(path) == "raysChange"; }
+
 bool countsRays(const std::string& path) {
-  for (const char* group : {"agree.", "verdicts.", "causes.", "rays."})
-    if (path.starts_with(group) || path.find("." + std::string(group)) != std::string::npos) return true;
-  return lastName(path) == "wrong" || lastName(path) == "raysChange";
+  const std::string_view last = lastName(path);
+  return tellsTruth(path) || liesIn(path, {"hits."}) || (last == "rays" && path != last) || last == "foreignHits" || last == "notConfirmed";
+}
+
+bool isShare(const std::string& path) { return lastName(path) == "share" || path.ends_with("Share"); }
+
+// Whole paths that a key may mean.
+std::vector<std::string> pathsMeant(const std::string& key, const Json& results) {
+  const Json* whole = find(results, key);
+  if (whole && !whole->is_structured() && !whole->is_string()) return {key};
+  Figures figures;
+  listFigures(results, "", false, figures);
+  std::vector<std::string> ends, plain;
+  std::ranges::copy_if(figures.named, std::back_inserter(ends), [&](const std::string& path) { return path.ends_with("." + key); });
+  std::ranges::copy_if(ends, std::back_inserter(plain), [](const std::string& path) { return !tellsTruth(path); });
+  return plain.empty() ? ends : plain;
+}
+
+[[noreturn]] void refuseKey(const Budget& budget, const Json& results) {
+  const std::string start = "--fail-if " + budget.text + ": ";
+  if (const Json* group = find(results, budget.key); group && group->is_array() && !group->empty())
+    throw Error(start + budget.key + " is a list; give one of it: " + budget.key + ".0 to " + budget.key + "." + std::to_string(group->size() - 1));
+  Figures figures;
+  listFigures(results, "", false, figures);
+  std::vector<std::string> all = figures.named;
+  all.insert(all.end(), figures.listed.begin(), figures.listed.end());
+  throw Error(start + "the results have no figure '" + budget.key + "'; the nearest are " + nearestNames(all, budget.key));
 }
 
 // The whole path of a figure.
 std::string findFigure(const Budget& budget, const Json& results) {
-  std::vector<std::string> paths, ends;
-  listFigures(results, "", paths);
-  if (std::ranges::find(paths, budget.key) != paths.end()) return budget.key;
-  for (const std::string& path : paths)
-    if (path.ends_with("." + budget.key)) ends.push_back(path);
-  std::vector<std::string> plain;
-  std::ranges::copy_if(ends, std::back_inserter(plain), [](const std::string& path) { return !countsRays(path); });
-  if (!plain.empty()) ends = plain;
-  if (ends.size() == 1) return ends.front();
-  if (ends.empty()) throw Error("--fail-if " + budget.text + ": the results have no figure '" + budget.key + "'; the nearest are " + nearestNames(paths, budget.key));
-  throw Error("--fail-if " + budget.text + ": '" + budget.key + "' may be " + joined(ends, " or ") + "; give the whole name");
+  const std::vector<std::string> paths = pathsMeant(budget.key, results);
+  if (paths.empty()) refuseKey(budget, results);
+  if (paths.size() > 1) throw Error("--fail-if " + budget.text + ": '" + budget.key + "' may be " + joined(paths, " or ") + "; give the whole name");
+  if (find(results, paths.front())->is_null()) throw Error("--fail-if " + budget.text + ": " + paths.front() + " has no value here: this grid does not count it");
+  return paths.front();
 }
 
 // What a percentage is taken of.
@@ -113,22 +150,37 @@ std::string groupOf(const std::string& path) { return path.substr(0, path.rfind(
 
 // A number of a group, or what it counts.
 std::optional<double> findIn(const Json& results, const std::string& group, const char* name) {
-  const Json& json = group.empty() ? results : at(results, group);
+  const Json& json = group.empty() ? results : *find(results, group);
+  if (!json.is_object()) return std::nullopt;
   const auto found = json.find(name);
   if (found == json.end()) return std::nullopt;
   if (found->is_number()) return found->get<double>();
   return found->is_object() && found->contains("count") ? std::optional(found->at("count").get<double>()) : std::nullopt;
 }
 
+// The rays of the figure's group, or of one above it.
+std::optional<double> raysAround(const Json& results, std::string path) {
+  if (lastName(path) == "rays") path = groupOf(path);
+  while (!path.empty()) {
+    path = groupOf(path);
+    if (const std::optional<double> rays = findIn(results, path, "rays")) return rays;
+  }
+  return std::nullopt;
+}
+
 Whole wholeOf(const Budget& budget, const Json& results, const std::string& path) {
-  // The rays of the figure's group, or of one above it.
-  if (countsRays(path))
-    for (std::string group = path; !group.empty();) {
-      group = groupOf(group);
-      if (const std::optional<double> rays = findIn(results, group, "rays")) return {*rays, "rays"};
-    }
-  else if (const std::optional<double> tried = findIn(results, groupOf(path), "tried")) return {*tried, "references tried"};
-  else if (const std::optional<double> cells = findIn(results, groupOf(path), "occupied")) return {*cells, "occupied cells"};
+  // Proofs: lists that end with how many there were.
+  if (liesIn(path, {"confirmed.", "control.causes."}) && find(results, groupOf(path))->is_array())
+    return {find(results, groupOf(path))->back().get<double>(), "rays of that cause"};
+  if (countsRays(path)) {
+    if (const std::optional<double> rays = raysAround(results, path)) return {*rays, "rays"};
+  } else if (const std::optional<double> tried = findIn(results, groupOf(path), "tried")) {
+    return {*tried, "references tried"};
+  } else if (const std::optional<double> cells = findIn(results, groupOf(path), "occupied")) {
+    return {*cells, "occupied cells"};
+  } else if (const std::optional<double> total = findIn(results, groupOf(path), "total")) {
+    return {*total, "in all"};
+  }
   throw Error("--fail-if " + budget.text + ": a percentage of what? The results have no whole for " + path + "; give a number");
 }
 
@@ -156,12 +208,13 @@ Budget parseBudget(const std::string& text) {
 
 BudgetResult judgeBudget(const Budget& budget, const Json& results) {
   const std::string path = findFigure(budget, results);
-  const Json& figure = at(results, path);
+  const Json& figure = *find(results, path);
   const double value = figure.is_boolean() ? double(figure.get<bool>()) : figure.get<double>();
   BudgetResult result;
   result.line = budget.text + ": " + path + " is " + figureText(value);
-  if (!budget.percent) {
-    result.broken = holds(value, budget.relation, budget.limit);
+  if (!budget.percent || isShare(path)) {
+    result.broken = holds(budget.percent ? 100.0 * value : value, budget.relation, budget.limit);
+    if (budget.percent) result.line += printed(" (%.4g %%)", 100.0 * value);
     return result;
   }
   const Whole whole = wholeOf(budget, results, path);
@@ -171,11 +224,34 @@ BudgetResult judgeBudget(const Budget& budget, const Json& results) {
   return result;
 }
 
-bool budgetsNeedTruth(const Options& options) {
-  return std::ranges::any_of(options.budgets, [](const Budget& budget) {
-    constexpr std::array<std::string_view, 11> kNames = {"wrong", "agree", "verdicts", "causes", "hole", "voxelRight", "voxelWrong", "far", "near", "hit", "miss"};
-    return std::ranges::find(kNames, splitText(budget.key, '.').front()) != kNames.end();
+void checkBudgets(const std::vector<Budget>& budgets, const Json& shape) {
+  for (const Budget& budget : budgets) {
+    bool intoEmptyList = false;
+    if (find(shape, budget.key, &intoEmptyList) || !intoEmptyList) judgeBudget(budget, shape);
+  }
+}
+
+bool haveFigures(const std::vector<Budget>& budgets, const Json& shape) {
+  return std::ranges::none_of(budgets, [&](const Budget& budget) {
+    bool intoEmptyList = false;
+    return pathsMeant(budget.key, shape).empty() && !find(shape, budget.key, &intoEmptyList) && !intoEmptyList;
   });
+}
+
+BudgetResult judgeFrames(const Budget& budget, const std::vector<Json>& frames) {
+  BudgetResult first;
+  size_t broken = 0;
+  bool same = true;                    // the figure is no frame's own
+  for (size_t frame = 0; frame < frames.size(); ++frame) {
+    BudgetResult result = judgeBudget(budget, frames[frame]);
+    if (!result.broken) continue;
+    if (broken++ > 0) same = same && first.line.ends_with(result.line);
+    else first = {true, printed("frame %zu: ", frame) + result.line};
+  }
+  if (broken == 0) return first;
+  if (same && broken == frames.size()) first.line = first.line.substr(first.line.find(": ") + 2);
+  else if (broken > 1) first.line += printed("; likewise %zu more of %zu frames", broken - 1, frames.size());
+  return first;
 }
 
 void addBudgetOption(CLI::App& command, Options& options) {
@@ -185,15 +261,15 @@ void addBudgetOption(CLI::App& command, Options& options) {
         options.budgets.clear();
         for (const std::string& text : given) options.budgets.push_back(parseBudget(text));
       },
-      "Exit 1, and one line, when it is so: wrong>1%, saturated>500, refused>10%; any figure of the JSON; percent of rays, of references "
-      "tried, of occupied cells. May be given more than once");
+      "Exit 1, and one line, when it is so: wrong>1%, saturated>500, refused>10%; any figure of the JSON (of a list: worstCells.0.rays); "
+      "percent of rays, of references tried, of occupied cells; of several frames each is judged. May be given more than once");
   option->type_name("\"FIGURE>N[%]\"")->group("Results")->expected(1)->take_all();
 }
 
-int judgeBudgets(const Options& options, const Json& results) {
+int judgeBudgets(const Options& options, const std::vector<Json>& frames) {
   int code = kExitDone;
   for (const Budget& budget : options.budgets) {
-    const BudgetResult result = judgeBudget(budget, results);
+    const BudgetResult result = judgeFrames(budget, frames);
     if (!result.broken) continue;
     std::fprintf(textStream(options), "%s\n", result.line.c_str());
     code = kExitDifferent;

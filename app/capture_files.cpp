@@ -55,6 +55,9 @@ Capture readSceneCapture(const Options& options) {
   if (frames > capture.frames.size())
     throw Error(std::string(options.frames > 1 ? "--frames " : "--sequence ") + std::to_string(frames) + ": " + options.scene + " holds " +
                 std::to_string(capture.frames.size()));
+  if (options.frame >= capture.frames.size())
+    throw Error("--frame " + std::to_string(options.frame) + ": " + options.scene + " holds " + std::to_string(capture.frames.size()) +
+                (capture.frames.size() == 1 ? " frame; leave it out" : " frames, from 0 on"));
   if (frames > 1 && capture.grid.reserved != 2)
     throw Error("--frames " + std::to_string(frames) + ": " + options.scene +
                 " has a foreign grid, which no update can follow; show its first frame, or use gridscope replay");

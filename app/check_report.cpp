@@ -18,8 +18,18 @@ std::string stageName(const CheckedStage& stage, const CheckReport& report) {
   return report.stages.back().frame == 0 ? stage.stage : printed("%s %u", stage.stage.c_str(), stage.frame);
 }
 
+bool countsRefused(const Session& session) { return session.pipeline().parameters().grid.reserved == 2; }
+
 // References tried: what was stored, and what was refused as far as the grid counts it.
 uint64_t triedIn(const GridTotals& grid) { return grid.stored() + grid.refused(); }
+
+void addFigures(Json& json, const Session& session, const CheckedFrame& frame) {
+  addGridTotals(json, frame.grid, countsRefused(session));
+  json["rays"] = frame.rays.count;
+  json["hits"] = {{"triangle", frame.rays.triangleHits}, {"voxel", frame.rays.voxelHits}, {"miss", frame.rays.misses}};
+  if (frame.foreignHits) json["foreignHits"] = *frame.foreignHits;
+  if (frame.truth) addTruthTotals(json, *frame.truth);
+}
 
 Json stageJson(const CheckedStage& stage) {
   Json json{{"stage", stage.stage}, {"frame", stage.frame}};
@@ -43,6 +53,34 @@ void printStability(std::FILE* out, const Stability& stability, const RayTotals&
                grouped(stability.orderDiffers).c_str(), grouped(stability.raysChange).c_str(), grouped(rays.count).c_str());
 }
 
+void printFigures(std::FILE* out, const Session& session, const CheckedFrame& frame) {
+  const GridStatistics& cells = frame.grid.statistics;
+  if (countsRefused(session))
+    std::fprintf(out, "%-12s%s tried, %s stored, %s refused (%s)\n", "references", grouped(triedIn(frame.grid)).c_str(), grouped(frame.grid.stored()).c_str(),
+                 grouped(frame.grid.refused()).c_str(), percentOf(frame.grid.refused(), triedIn(frame.grid)).c_str());
+  else
+    std::fprintf(out, "%-12s%s stored; what was refused is not counted\n", "references", grouped(frame.grid.stored()).c_str());
+  std::fprintf(out, "%-12s%s occupied, %s saturated (%s)\n", "cells", grouped(cells.occupied).c_str(), grouped(cells.saturated).c_str(),
+               percentOf(cells.saturated, cells.occupied).c_str());
+  if (frame.foreignHits.value_or(0) > 0) std::fprintf(out, "%-12s%s\n", "hits", foreignHitsText(*frame.foreignHits).c_str());
+  if (frame.truth)
+    std::fprintf(out, "%-12s%s of %s rays (%s)\n", "wrong", grouped(frame.truth->wrong()).c_str(), grouped(frame.truth->rays).c_str(),
+                 percentOf(frame.truth->wrong(), frame.truth->rays).c_str());
+}
+
+// A line a frame.
+void printFrames(std::FILE* out, const Session& session, const std::vector<CheckedFrame>& frames) {
+  Table table("rrrrrrr");
+  table.add({"frame", "stored", "refused", "saturated", "foreign hits", "wrong", ""});
+  for (size_t i = 0; i < frames.size(); ++i) {
+    const CheckedFrame& frame = frames[i];
+    table.add({std::to_string(i), grouped(frame.grid.stored()), countsRefused(session) ? grouped(frame.grid.refused()) : "-",
+               grouped(frame.grid.statistics.saturated), frame.foreignHits ? grouped(*frame.foreignHits) : "-",
+               frame.truth ? grouped(frame.truth->wrong()) : "-", frame.truth ? percentOf(frame.truth->wrong(), frame.truth->rays) : ""});
+  }
+  table.print(out);
+}
+
 }  // namespace
 
 size_t CheckReport::broken() const {
@@ -59,39 +97,24 @@ void printCheck(std::FILE* out, const Session& session, const CheckReport& repor
       table.add({stageName(stage, report), invariant.name, wordOf(invariant), invariant.whyNot.empty() ? invariant.fault : invariant.whyNot});
   table.print(out);
 
-  const GridStatistics& cells = report.grid.statistics;
-  if (session.pipeline().parameters().grid.reserved == 2)
-    std::fprintf(out, "%-12s%s tried, %s stored, %s refused (%s)\n", "references", grouped(triedIn(report.grid)).c_str(), grouped(report.grid.stored()).c_str(),
-                 grouped(report.grid.refused()).c_str(), percentOf(report.grid.refused(), triedIn(report.grid)).c_str());
-  else
-    std::fprintf(out, "%-12s%s stored; what was refused is not counted\n", "references", grouped(report.grid.stored()).c_str());
-  std::fprintf(out, "%-12s%s occupied, %s saturated (%s)\n", "cells", grouped(cells.occupied).c_str(), grouped(cells.saturated).c_str(),
-               percentOf(cells.saturated, cells.occupied).c_str());
-  if (report.stability) printStability(out, *report.stability, report.rays);
-  if (report.truth)
-    std::fprintf(out, "%-12s%s of %s rays (%s)\n", "wrong", grouped(report.truth->wrong()).c_str(), grouped(report.truth->rays).c_str(),
-                 percentOf(report.truth->wrong(), report.truth->rays).c_str());
+  if (report.frames.size() == 1) printFigures(out, session, report.frames.front());
+  else printFrames(out, session, report.frames);
+  if (report.stability) printStability(out, *report.stability, report.frames.back().rays);
   if (report.broken() == 0) std::fprintf(out, "%-12severything that applies holds\n", "check");
   else std::fprintf(out, "%-12s%zu broken\n", "check", report.broken());
 }
 
-Json checkJson(const Session& session, const CheckReport& report) {
-  const GridStatistics& cells = report.grid.statistics;
+Json checkJson(const Session& session, const CheckReport& report, size_t frame) {
   Json json = deviceJson(session);
   json["scene"] = sceneJson(session);
   json["grid"] = gridJson(session.pipeline().parameters().grid);
   json["broken"] = report.broken();
+  json["stages"] = Json::array();
   for (const CheckedStage& stage : report.stages) json["stages"].push_back(stageJson(stage));
-  json["references"]["stored"] = report.grid.stored();
-  if (session.pipeline().parameters().grid.reserved == 2) {
-    json["references"]["tried"] = triedIn(report.grid);
-    json["references"]["refused"] = report.grid.refused();
-  }
-  json["cells"] = {{"occupied", cells.occupied}, {"saturated", cells.saturated}, {"maxDemand", cells.maxDemand}};
-  json["rays"] = report.rays.count;
-  json["hits"] = {{"triangle", report.rays.triangleHits}, {"voxel", report.rays.voxelHits}, {"miss", report.rays.misses}};
-  if (report.stability) json["stability"] = stabilityJson(*report.stability, report.rays.count);
-  if (report.truth) addTruthTotals(json, *report.truth);
+  addFigures(json, session, report.frames[frame]);
+  if (report.stability) json["stability"] = stabilityJson(*report.stability, report.frames.back().rays.count);
+  if (report.frames.size() == 1) return json;
+  for (const CheckedFrame& one : report.frames) addFigures(json["frames"].emplace_back(), session, one);
   return json;
 }
 

@@ -3,8 +3,7 @@
 #include "app/commands.h"
 #include "app/text.h"
 #include "core/error.h"
-#include "core/frame_capture.h"
-#include "core/invariants_place.h"
+#include "core/invariants_frame.h"
 #include "core/invariants_rays.h"
 
 namespace gridscope {
@@ -14,8 +13,12 @@ namespace {
 // A check in progress.
 class Check {
  public:
-  Check(const Options& options, uint64_t steps) : options_(options), progress_(steps), session_(options, progress_), pipeline_(session_.pipeline()) {
-    if (options.frames == 1 && session_.capture()) frameCount_ = uint32_t(session_.capture()->frames.size());
+  explicit Check(const Options& options) : options_(options), progress_(3), session_(options, progress_), pipeline_(session_.pipeline()) {
+    if (options.frames == 1 && session_.capture()) frameCount_ = session_.frameCount();
+    if (options.stability > 0) session_.mustRebuild();
+    needsTruth_ = !haveFigures(options.budgets, checkJson(session_, shapeOf(false), 0));
+    checkBudgets(options.budgets, checkJson(session_, shapeOf(needsTruth_), 0));
+    progress_.plan(uint64_t(frameCount_) + (options.stability > 0 ? 1 : 0));
   }
 
   int run() {
@@ -25,17 +28,27 @@ class Check {
       else checkBuilt(frame);
     }
     if (options_.stability > 0) compareOrders();
-    if (budgetsNeedTruth(options_)) {
-      progress_.step("truth");
-      report_.truth = tellFrame(pipeline_).totals;
-    }
     progress_.clear();
     return finish();
   }
 
  private:
   bool capturedGrid() const { return session_.capture() && !session_.capture()->frames.front().grid.empty(); }
-  bool foreign() const { return capturedGrid() && !builtHere(*session_.capture()); }
+
+  // A report with every figure that there will be, before any is known.
+  CheckReport shapeOf(bool withTruth) const {
+    CheckReport shape{.frames = std::vector<CheckedFrame>(frameCount_)};
+    for (uint32_t frame = 0; frame < frameCount_; ++frame) {
+      if (withTruth) shape.frames[frame].truth.emplace();
+      if (session_.hasCapturedHits(frame)) shape.frames[frame].foreignHits = 0;
+    }
+    if (options_.stability > 0) shape.stability.emplace();
+    return shape;
+  }
+
+  void add(const char* stage, uint32_t frame, std::vector<Invariant> invariants) {
+    report_.stages.push_back({.stage = stage, .frame = frame, .invariants = std::move(invariants)});
+  }
 
   // The stages that make a grid, each with what must hold behind it.
   void checkBuilt(uint32_t frame) {
@@ -48,15 +61,10 @@ class Check {
     const Grid updated = pipeline_.grid();
     const Demand demand(updated.parameters, pipeline_.numbered(), pipeline_.worldTriangles());
     if (frame == 0) {
-      CheckedStage build{.stage = "build", .frame = frame, .invariants = testCells(built_, pipeline_.numbered(), &triedByBuild)};
-      addPlaces(build, {built_, demand, false});
-      report_.stages.push_back(std::move(build));
+      add("build", frame, testGrid({.grid = built_, .scene = pipeline_.numbered(), .demand = &demand, .tried = triedByBuild, .dynamicAdded = false}));
       built_ = {};
     }
-    const uint64_t tried = pipeline_.referencesTried();
-    CheckedStage update{.stage = "update", .frame = frame, .invariants = testCells(updated, pipeline_.numbered(), &tried)};
-    addPlaces(update, {updated, demand, true});
-    report_.stages.push_back(std::move(update));
+    add("update", frame, testGrid({.grid = updated, .scene = pipeline_.numbered(), .demand = &demand, .tried = pipeline_.referencesTried()}));
     checkTrace(frame, updated);
   }
 
@@ -65,61 +73,48 @@ class Check {
     if (frame == 0) session_.build();
     session_.update(frame);
     const Grid grid = pipeline_.grid();
-    if (foreign()) {
-      report_.stages.push_back({.stage = "captured", .frame = frame, .invariants = foreignInvariants(grid)});
-    } else {
-      const Demand demand(grid.parameters, pipeline_.numbered(), pipeline_.worldTriangles());
-      const uint64_t tried = demand.total();
-      CheckedStage stage{.stage = "captured", .frame = frame, .invariants = testCells(grid, pipeline_.numbered(), &tried)};
-      addPlaces(stage, {grid, demand, true});
-      report_.stages.push_back(std::move(stage));
+    GridFacts facts{.grid = grid, .scene = pipeline_.numbered(), .builtBy = session_.builtBy()};
+    std::optional<Demand> demand;
+    if (facts.builtBy.empty()) {
+      demand.emplace(grid.parameters, pipeline_.numbered(), pipeline_.worldTriangles());
+      facts.demand = &*demand;
+      facts.tried = demand->total();
     }
+    add("captured", frame, testGrid(facts));
     checkTrace(frame, grid);
   }
 
-  std::vector<Invariant> foreignInvariants(const Grid& grid) const {
-    std::vector<Invariant> invariants = testCells(grid, pipeline_.numbered(), nullptr);
-    const std::string by = "the grid was built by " + session_.capture()->writer;
-    for (Invariant& invariant : invariants)
-      if (invariant.key == "staticFirst") invariant = {.key = invariant.key, .name = "static before dynamic", .whyNot = by + ": its order is its own"};
-    invariants.push_back({.key = "placed", .name = "each triangle is where the overlap test puts it", .whyNot = by + ": its overlap test is not known"});
-    invariants.push_back({.key = "nothingStale", .name = "nothing stale", .whyNot = by + ": its overlap test is not known"});
-    return invariants;
-  }
-
-  static void addPlaces(CheckedStage& stage, const PlaceInput& input) {
-    stage.invariants.push_back(testStale(input));
-    stage.invariants.push_back(testPlacement(input));
-  }
-
+  // The trace, and the hits that a capture holds: those are judged.
   void checkTrace(uint32_t frame, const Grid& before) {
     session_.makeRays(frame);
     pipeline_.trace(false);
+    const TraceParameters& trace = pipeline_.parameters().trace;
     const std::vector<Ray> rays = pipeline_.rays();
+    std::vector<Invariant> traced = testFrameHits(pipeline_.numbered(), trace, rays, pipeline_.hits());
+    traced.push_back(testGridKept(before, pipeline_.grid()));
+    add("trace", frame, std::move(traced));
+
+    CheckedFrame checked{.grid = countGrid(before), .foreignHits = session_.useCapturedHits(frame)};
     const std::vector<Hit> hits = pipeline_.hits();
-    report_.stages.push_back({.stage = "trace", .frame = frame,
-                              .invariants = {testEnds(rays, hits), testHits(pipeline_.numbered(), pipeline_.parameters().trace, hits),
-                                             testGridKept(before, pipeline_.grid())}});
-    report_.grid = countGrid(before);
-    report_.rays = countRays(hits);
+    if (checked.foreignHits) add("captured hits", frame, testFrameHits(pipeline_.numbered(), trace, rays, hits));
+    checked.rays = countRays(hits);
+    if (needsTruth_) checked.truth = tellFrame(pipeline_).totals;
+    report_.frames.push_back(std::move(checked));
   }
 
   void compareOrders() {
     progress_.step("compare builds");
-    const uint32_t last = frameCount_ - 1;
-    report_.stability = compareBuilds(pipeline_, options_.stability, [&] { session_.rebuild(last); });
-    if (!capturedGrid()) return;
-    session_.update(last);  // the truth is of the captured grid
-    pipeline_.trace(false);
+    report_.stability = compareBuilds(pipeline_, options_.stability, [&] { session_.rebuild(frameCount_ - 1); });
   }
 
   int finish() {
     std::FILE* out = textStream(options_);
     printCheck(out, session_, report_);
     if (options_.validation) std::fprintf(out, "%-12s%u messages\n", "validation", session_.validationMessages());
-    const nlohmann::ordered_json json = checkJson(session_, report_);
-    writeJson(options_, json);
-    const int budgets = judgeBudgets(options_, json);
+    std::vector<nlohmann::ordered_json> frames;
+    for (size_t frame = 0; frame < report_.frames.size(); ++frame) frames.push_back(checkJson(session_, report_, frame));
+    writeJson(options_, frames.back());
+    const int budgets = judgeBudgets(options_, frames);
     return report_.broken() > 0 || session_.validationMessages() > 0 ? kExitDifferent : budgets;
   }
 
@@ -128,6 +123,7 @@ class Check {
   Session session_;
   Pipeline& pipeline_;
   uint32_t frameCount_ = options_.frames;  // of a capture all, where none are named
+  bool needsTruth_ = false;            // a budget is about wrong rays, say
   Grid built_;                         // after the build, before the first update
   CheckReport report_;
 };
@@ -141,9 +137,6 @@ void addCheckOptions(CLI::App& command, Options& options) {
   addJsonOption(command, options);
 }
 
-int runCheck(const Options& options) {
-  const uint64_t steps = 2 + uint64_t(options.frames) + (options.stability > 0 ? 1 : 0) + (budgetsNeedTruth(options) ? 1 : 0);
-  return Check(options, steps).run();
-}
+int runCheck(const Options& options) { return Check(options).run(); }
 
 }  // namespace gridscope

@@ -1,7 +1,6 @@
 // gridscope explain: every ray of a frame beside the exact answer: verdicts, causes, and with --verify their proof.
 #include <algorithm>
 #include <chrono>
-#include <cstring>
 #include <memory>
 #include <mutex>
 
@@ -34,6 +33,19 @@ TruthProgress shownOn(Progress& progress, const std::string& what) {
   };
 }
 
+const char* traversalText(const TraceParameters& trace) { return trace.traversal == kTraversalDda ? "dda" : "segment"; }
+
+// What there is to say before the work: of budgets' figures, which ones there will be.
+ExplainReport emptyExplain(const Session& session, const Options& options) {
+  ExplainReport report;
+  report.frameNumber = options.frame;
+  report.width = session.pipeline().settings().width;
+  report.countsRefused = session.pipeline().parameters().grid.reserved == 2;
+  if (options.verify) report.proofs.emplace();
+  if (session.hasCapturedHits(options.frame)) report.foreignHits = 0;
+  return report;
+}
+
 std::optional<uint32_t> pixelOf(const Options& options, const FrameSettings& settings) {
   if (std::ranges::find(options.given, "--pixel") == options.given.end()) return std::nullopt;
   const uint32_t x = options.captures.pixelX, y = options.captures.pixelY;
@@ -42,34 +54,44 @@ std::optional<uint32_t> pixelOf(const Options& options, const FrameSettings& set
   return y * settings.width + x;
 }
 
-// A capture's own hits are what is explained. Returns how many of them are not what the trace has just ended with: another engine's, say.
-uint64_t useCapturedHits(Session& session) {
-  if (!session.capture() || session.capture()->frames.front().hits.empty()) return 0;
-  const std::vector<Hit>& captured = session.capture()->frames.front().hits;
-  const std::vector<Hit> traced = session.pipeline().hits();
-  uint64_t different = 0;
-  for (size_t i = 0; i < traced.size(); ++i) different += std::memcmp(&traced[i], &captured[i], sizeof(Hit)) != 0 ? 1 : 0;
-  session.pipeline().useHits(captured);
-  return different;
-}
-
 ExplainReport makeReport(const Options& options, Session& session, Progress& progress) {
   Pipeline& pipeline = session.pipeline();
-  ExplainReport report;
-  report.width = pipeline.settings().width;
+  ExplainReport report = emptyExplain(session, options);
+  report.foreignHits = session.useCapturedHits(options.frame);
   report.grid = pipeline.gridTotals();
   report.explainMs = millisecondsOf([&] { report.frame = tellFrame(pipeline, shownOn(progress, "explain")); });
-  report.tried = report.grid.stored() + report.grid.refused();
   report.ledger = makeLedger(report.frame);
   report.worst = worstRays(report.frame, options.worst);
   if (options.verify) report.proveMs = millisecondsOf([&] { report.proofs = proveFrame(report.frame, shownOn(progress, "prove")); });
   return report;
 }
 
+nlohmann::ordered_json resultsOf(const Session& session, const ExplainReport& report) {
+  const FrameParameters& parameters = session.pipeline().parameters();
+  nlohmann::ordered_json json = explainJson(report, session.names());
+  json.update(deviceJson(session));
+  json["size"] = {session.pipeline().settings().width, session.pipeline().settings().height};
+  json["frame"] = report.frameNumber;
+  json["scene"] = sceneJson(session);
+  json["grid"] = gridJson(parameters.grid);
+  json["traversal"] = traversalText(parameters.trace);
+  return json;
+}
+
+void printHeading(std::FILE* out, const Session& session, const ExplainReport& report) {
+  const Pipeline& pipeline = session.pipeline();
+  std::fprintf(out, "%s, %u x %u rays, %s, %s on %s\n", session.scene().name.c_str(), pipeline.settings().width, pipeline.settings().height,
+               gridText(pipeline.parameters().grid).c_str(), traversalText(pipeline.parameters().trace), session.deviceName().c_str());
+  if (session.frameCount() > 1) std::fprintf(out, "frame %u of frames 0 to %u\n", report.frameNumber, session.frameCount() - 1);
+  if (report.foreignHits.value_or(0) > 0) std::fprintf(out, "%s\n", foreignHitsText(*report.foreignHits).c_str());
+  std::fprintf(out, "\n");
+}
+
 }  // namespace
 
 void addExplainOptions(CLI::App& command, Options& options) {
   addFrameOptions(command, options);
+  addFrameNumberOption(command, options);
   addTruthOptions(command, options);
   addPixelOption(command, options);
   addBudgetOption(command, options);
@@ -81,40 +103,30 @@ int runExplain(const Options& options) {
   Session session(options, progress);
   Pipeline& pipeline = session.pipeline();
   const std::optional<uint32_t> pixel = pixelOf(options, pipeline.settings());
+  checkBudgets(options.budgets, resultsOf(session, emptyExplain(session, options)));
 
   // One frame.
   progress.step("trace");
   session.build();
-  session.update(0);
-  session.makeRays(0);
+  session.update(options.frame);
+  session.makeRays(options.frame);
   pipeline.trace(false);
-  const uint64_t foreign = useCapturedHits(session);
 
   const ExplainReport report = makeReport(options, session, progress);
   progress.clear();
 
   const CaptureNames names = session.names();
   std::FILE* out = textStream(options);
-  const FrameSettings& settings = pipeline.settings();
-  const char* traversal = pipeline.parameters().trace.traversal == kTraversalDda ? "dda" : "segment";
-  std::fprintf(out, "%s, %u x %u rays, %s, %s on %s\n\n", session.scene().name.c_str(), settings.width, settings.height,
-               gridText(pipeline.parameters().grid).c_str(), traversal, session.deviceName().c_str());
-  if (foreign > 0) std::fprintf(out, "%s of the capture's hits are not what this trace ends with\n\n", grouped(foreign).c_str());
+  printHeading(out, session, report);
   printExplain(out, report, names);
-  nlohmann::ordered_json json = explainJson(report, names);
+  nlohmann::ordered_json json = resultsOf(session, report);
   if (pixel) {
     const std::string story = plainText(tellRay(report, names, *pixel));
     std::fprintf(out, "\n%s", story.c_str());
-    json["pixel"] = {{"x", *pixel % settings.width}, {"y", *pixel / settings.width}, {"story", story}};
+    json["pixel"] = {{"x", *pixel % report.width}, {"y", *pixel / report.width}, {"story", story}};
   }
-  json.update(deviceJson(session));
-  json["size"] = {settings.width, settings.height};
-  json["scene"] = sceneJson(session);
-  json["grid"] = gridJson(pipeline.parameters().grid);
-  json["traversal"] = traversal;
-  if (session.capture()) json["foreignHits"] = foreign;
   writeJson(options, json);
-  const int budgets = judgeBudgets(options, json);
+  const int budgets = judgeBudgets(options, {json});
   return session.validationMessages() > 0 ? kExitDifferent : budgets;
 }
 

@@ -66,6 +66,7 @@ int compareRandomRays(const Options& options, Session& session) {
 
 void addRayOptions(CLI::App& command, Options& options) {
   addFrameOptions(command, options);
+  addFrameNumberOption(command, options);
   addPixelOption(command, options);
   addRandomPixelsOption(command, options);
   addJsonOption(command, options);
@@ -82,8 +83,8 @@ int runRay(const Options& options) {
 
   progress.step("trace");
   session.build();
-  session.update(0);
-  session.makeRays(0);
+  session.update(options.frame);
+  session.makeRays(options.frame);
   if (options.captures.randomPixels > 0) {
     pipeline.trace(false);
     progress.clear();

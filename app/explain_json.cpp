@@ -74,13 +74,19 @@ void addTruthTotals(Json& json, const TruthTotals& totals) {
     json["causes"][std::string(causeName(cause).key)] = totals.causes[cause];
 }
 
+void addGridTotals(Json& json, const GridTotals& grid, bool countsRefused) {
+  const GridStatistics& cells = grid.statistics;
+  const auto counted = [&](uint64_t count) { return countsRefused ? Json(count) : Json(nullptr); };
+  json["references"] = {{"tried", counted(grid.stored() + grid.refused())}, {"stored", grid.stored()}, {"refused", counted(grid.refused())}};
+  json["cells"] = {{"occupied", cells.occupied}, {"saturated", cells.saturated}, {"maxDemand", counted(cells.maxDemand)}};
+}
+
 Json explainJson(const ExplainReport& report, const CaptureNames& names) {
-  const GridStatistics& cells = report.grid.statistics;
   Json json = {{"rays", report.frame.totals.rays}};
   addTruthTotals(json, report.frame.totals);
   if (report.proofs) addProofs(json, *report.proofs);
-  json["references"] = {{"tried", report.tried}, {"stored", report.grid.stored()}, {"refused", report.grid.refused()}};
-  json["cells"] = {{"occupied", cells.occupied}, {"saturated", cells.saturated}, {"maxDemand", cells.maxDemand}};
+  if (report.foreignHits) json["foreignHits"] = *report.foreignHits;
+  addGridTotals(json, report.grid, report.countsRefused);
   json["worstMeshes"] = groupsJson(report.ledger.meshes, names.meshes);
   json["worstInstances"] = groupsJson(report.ledger.instances, names.instances);
   json["worstCells"] = worstCellsJson(report.ledger);

@@ -14,8 +14,10 @@ namespace gridscope {
 
 struct ExplainReport {
   FrameTruth frame;
+  uint32_t frameNumber = 0;              // of a sequence
   GridTotals grid;                       // of the device
-  uint64_t tried = 0;                    // references
+  bool countsRefused = true;             // the grid counts what it refuses; otherwise references tried and refused are not known
+  std::optional<uint64_t> foreignHits;   // of a capture's hits: how many are not what the trace ends with; nothing: the trace's are explained
   Ledger ledger;
   std::optional<ProofTotals> proofs;     // of --verify
   std::vector<uint32_t> worst;           // rays, the worst first
@@ -27,6 +29,9 @@ struct ExplainReport {
 // One ray in sentences, with its proof when proofs were asked for.
 std::vector<StoryPart> tellRay(const ExplainReport& report, const CaptureNames& names, uint32_t pixel);
 
+// "12 of the capture's hits are not what this trace ends with: they are judged as they are".
+std::string foreignHitsText(uint64_t count);
+
 // The tables: verdicts, causes, the meshes and cells that cost most, the worst rays.
 void printExplain(std::FILE* out, const ExplainReport& report, const CaptureNames& names);
 
@@ -35,5 +40,8 @@ void addTruthTotals(nlohmann::ordered_json& json, const TruthTotals& totals);
 
 // rays, wrong, agree, verdicts, causes, [confirmed, control,] references, cells, meshes, fullest cells, worst rays, times.
 nlohmann::ordered_json explainJson(const ExplainReport& report, const CaptureNames& names);
+
+// "references" and "cells" of the JSON of explain and check. What a grid does not count is null.
+void addGridTotals(nlohmann::ordered_json& json, const GridTotals& grid, bool countsRefused);
 
 }  // namespace gridscope

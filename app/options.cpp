@@ -346,6 +346,11 @@ void addCheckChoices(CLI::App& command, Options& options) {
   group.flag("--salvage", options.captures.salvage, true, "Open a damaged capture without the entries that fail");
 }
 
+void addFrameNumberOption(CLI::App& command, Options& options) {
+  OptionGroup(command, "Frame").whole("--frame", options.frame, {0, kMostFrames - 1}, "0",
+                                      "Which frame of a captured sequence, from 0; of a scene, so many --frame-step after --time");
+}
+
 void addPixelOption(CLI::App& command, Options& options) {
   OptionGroup(command, "Ray").text("--pixel", "X,Y", "0,0", "The ray's pixel; 0,0 is the top left", [&](const std::string& given) {
     const std::vector<std::string> parts = splitText(given, ',');

@@ -64,6 +64,7 @@ struct Options {
   std::string camera;                      // name or numbers; empty: the scene's first
   double time = 0.0;                       // seconds, of the first frame
   uint32_t frames = 1;
+  uint32_t frame = 0;                      // which one, where a command looks at one: of a capture's sequence, or so many steps after `time`
   double frameStep = 1.0 / 60.0;           // seconds
 
   // Settings; those that a built-in scene may bring are apart, because what is given here goes first.
@@ -136,6 +137,9 @@ void addReplayChoices(CLI::App& command, Options& options);
 
 // Offers --frames, --stability and --salvage (check).
 void addCheckChoices(CLI::App& command, Options& options);
+
+// Offers --frame: which of several a command looks at.
+void addFrameNumberOption(CLI::App& command, Options& options);
 
 // Offers --pixel.
 void addPixelOption(CLI::App& command, Options& options);

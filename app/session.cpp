@@ -2,6 +2,7 @@
 #include "app/session.h"
 
 #include <algorithm>
+#include <cstring>
 
 #include "app/capture_files.h"
 #include "app/text.h"
@@ -49,11 +50,11 @@ static GpuOptions gpuOptions(const Options& options, Progress& progress) {
   return {.device = options.onCpu() ? "" : options.device, .validation = options.validation};
 }
 
-static Pipeline makePipeline(GpuContext& gpu, const LoadedScene& loaded, const std::optional<Capture>& capture, bool onCpu) {
-  const StageDevice device = onCpu ? StageDevice::cpu : StageDevice::vulkan;
+static Pipeline makePipeline(GpuContext& gpu, const LoadedScene& loaded, const std::optional<Capture>& capture, const Options& options) {
+  const StageDevice device = options.onCpu() ? StageDevice::cpu : StageDevice::vulkan;
   const FrameSettings& settings = checkFrameFits(loaded.settings, gpu.report());
   if (!capture) return Pipeline(gpu, loaded.scene, settings, device);
-  PipelineInputs inputs = pipelineInputs(*capture, 0);
+  PipelineInputs inputs = pipelineInputs(*capture, options.frame);
   inputs.settings = settings;
   return Pipeline(gpu, std::move(inputs), device);
 }
@@ -64,11 +65,13 @@ Session::Session(const Options& options, Progress& progress)
       loaded_(loadSceneWith(options, capture_, progress)),
       rays_(loadRaysWith(options, loaded_.settings, progress)),
       gpu_(gpuOptions(options, progress)),
-      pipeline_(makePipeline(gpu_, loaded_, capture_, options.onCpu())) {
+      pipeline_(makePipeline(gpu_, loaded_, capture_, options)) {
   const int axis = options.slice.axis, layers = pipeline_.parameters().grid.cellCount[axis];
   if (options.slice.index >= layers)
     throw Error(printed("--slice %c:%d: the grid has layers 0 to %d along %c", "xyz"[axis], options.slice.index, layers - 1, "xyz"[axis]));
 }
+
+std::string Session::builtBy() const { return canRebuild() ? "" : capture_->writer.empty() ? "another program" : capture_->writer; }
 
 std::string Session::deviceName() const { return options_.onCpu() ? "cpu" : gpu_.report().name; }
 
@@ -80,18 +83,28 @@ float Session::frameTime(uint32_t frame) const {
   return capture_ ? capturedFrame(frame).timeSeconds : static_cast<float>(options_.time + double(frame) * options_.frameStep);
 }
 
+uint32_t Session::frameCount() const { return capture_ ? uint32_t(capture_->frames.size()) : 1; }
+
 void Session::build() {
   if (!capture_ || capture_->grid.reserved == 2) pipeline_.build();
 }
 
 void Session::update(uint32_t frame) {
   if (!capture_) return pipeline_.update(frameTime(frame));
-  if (capture_->grid.reserved == 2) pipeline_.update(frameInstances(*capture_, frame % capture_->frames.size()));
+  const std::vector<Instance> instances = frameInstances(*capture_, frame % capture_->frames.size());
+  if (capture_->grid.reserved == 2) pipeline_.update(instances);
+  else pipeline_.useInstances(instances);
   if (!capturedFrame(frame).grid.empty()) pipeline_.useGrid(capturedFrame(frame).grid);
 }
 
+bool Session::canRebuild() const { return !capture_ || builtHere(*capture_); }
+
+void Session::mustRebuild() const {
+  if (!canRebuild()) throw Error(options_.scene + ": its grid was built by " + builtBy() + ", and can't be built again here");
+}
+
 void Session::rebuild(uint32_t frame) {
-  if (capture_ && !builtHere(*capture_)) throw Error(options_.scene + ": its grid was built by " + capture_->writer + ", and can't be built again here");
+  mustRebuild();
   pipeline_.build();
   if (capture_) pipeline_.update(frameInstances(*capture_, frame % capture_->frames.size()));
   else pipeline_.update(frameTime(frame));
@@ -109,6 +122,16 @@ void Session::makeRays(uint32_t frame) {
   } else {
     pipeline_.useRays(rays_.rays);
   }
+}
+
+std::optional<uint64_t> Session::useCapturedHits(uint32_t frame) {
+  if (!hasCapturedHits(frame)) return std::nullopt;
+  const std::vector<Hit>& captured = capturedFrame(frame).hits;
+  const std::vector<Hit> traced = pipeline_.hits();
+  uint64_t different = 0;
+  for (size_t i = 0; i < traced.size(); ++i) different += std::memcmp(&traced[i], &captured[i], sizeof(Hit)) != 0 ? 1 : 0;
+  pipeline_.useHits(captured);
+  return different;
 }
 
 }  // namespace gridscope

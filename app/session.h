@@ -23,20 +23,29 @@ class Session {
   const Capture* capture() const { return capture_ ? &*capture_ : nullptr; }  // nullptr: runs on a scene
   CaptureNames names() const;
   Bounds bounds() const;                             // that the grid is made for
+  std::string builtBy() const;                       // the other program that built a capture's grid; empty: this one builds it
   std::string deviceName() const;                    // that runs build, update and trace
   const DeviceReport& deviceReport() const { return gpu_.report(); }
   uint32_t validationMessages() const { return gpu_.validationMessages(); }
   float frameTime(uint32_t frame) const;             // seconds
+  uint32_t frameCount() const;                       // of a capture's sequence; without a capture 1
 
   // The grid: a capture's own where it holds one.
   void build();
   void update(uint32_t frame);
 
-  // Build and update from the instances, whatever grid a capture holds. Throws Error for a foreign grid.
+  // Build and update from the instances, whatever grid a capture holds. Throws Error for a foreign grid, as mustRebuild() does beforehand.
   void rebuild(uint32_t frame);
+  void mustRebuild() const;
+  bool canRebuild() const;                           // false: the grid is another program's
 
   // Gather, then the rays: the bounce's, the capture's, or the person's own.
   void makeRays(uint32_t frame);
+
+  // After a trace: the hits that a captured frame holds take the place of the trace's, for they are what is judged. Returns how many of them
+  // are not what the trace ended with (another engine's, say); nothing where no hits were captured.
+  std::optional<uint64_t> useCapturedHits(uint32_t frame);
+  bool hasCapturedHits(uint32_t frame) const { return capture_ && !capturedFrame(frame).hits.empty(); }
 
  private:
   const CaptureFrame& capturedFrame(uint32_t frame) const { return capture_->frames[frame % capture_->frames.size()]; }

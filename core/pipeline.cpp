@@ -169,6 +169,11 @@ void Pipeline::bounce(uint32_t frame) {
   times_.bounce = stages_->bounce();
 }
 
+void Pipeline::useInstances(std::span<const Instance> instances) {
+  CHECK_EQ(instances.size(), numbered_.instances.size());
+  std::ranges::copy(instances, numbered_.instances.begin());
+}
+
 void Pipeline::useGrid(std::span<const uint32_t> texels) {
   CHECK_EQ(texels.size() * sizeof(uint32_t), gridByteCount(parameters_.grid));
   stages_->setInstances(numbered_.instances);

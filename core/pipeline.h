@@ -72,6 +72,7 @@ class Pipeline {
   void traceTile(uint32_t first, uint32_t end, bool counting);
 
   // Products from elsewhere, instead of a stage's. Sizes must be those of the frame.
+  void useInstances(std::span<const Instance> instances);  // instead of update, for a grid that it can't follow: useGrid comes next
   void useGrid(std::span<const uint32_t> texels);    // instead of build and update: the instances' present transforms are applied
   void useGather(std::span<const GatherPixel> pixels);
   void useRays(std::span<const Ray> rays);
