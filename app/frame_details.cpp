@@ -7,6 +7,7 @@
 #include "app/frame_maker.h"
 #include "app/shader_compiler.h"
 #include "core/frame_capture.h"
+#include "core/invariants_frame.h"
 #include "core/shader_code.h"
 
 namespace gridscope {
@@ -24,6 +25,7 @@ bool FrameMaker::readProducts() {
     current_.hits = shared(pipeline_->hits());
     current_.counters = shared(pipeline_->counters());
     current_.traceNumber++;
+    current_.brokenInvariants.reset();
     productsRead_ = true;
     publish(false);
   }
@@ -54,19 +56,31 @@ bool FrameMaker::recordRay() {
 
 // Slower than the picture: only when nothing else is asked for.
 bool FrameMaker::measureGrid() {
-  if (gridMeasured_) return true;
-  if (interrupted()) return false;
-  const bool foreign = current_.scene->foreign;
-  current_.brokenInvariants = checkInvariants(*current_.grid, pipeline_->numbered(), foreign ? nullptr : &current_.tried);
-  publish(false);
-  if (interrupted()) return false;
-  current_.demand = std::make_shared<const Demand>(current_.grid->parameters, pipeline_->numbered(), *current_.worldTriangles);
-  publish(false);
-  if (interrupted()) return false;
-  current_.ledger = std::make_shared<const Ledger>(makeLedger(TruthInput{traceInput(), *current_.demand}, {}));
-  gridMeasured_ = true;
+  if (!gridMeasured_) {
+    if (interrupted()) return false;
+    current_.demand = std::make_shared<const Demand>(current_.grid->parameters, pipeline_->numbered(), *current_.worldTriangles);
+    publish(false);
+    if (interrupted()) return false;
+    current_.ledger = std::make_shared<const Ledger>(makeLedger(TruthInput{traceInput(), *current_.demand}, {}));
+    publish(false);
+    if (interrupted()) return false;
+    gridFaults_ = gridFaults();
+    gridMeasured_ = true;
+    current_.brokenInvariants.reset();
+  }
+  if (current_.brokenInvariants) return true;
+  current_.brokenInvariants = gridFaults_;
+  for (std::string& fault : faultsOf(testFrameHits(pipeline_->numbered(), pipeline_->parameters().trace, *current_.rays, *current_.hits)))
+    current_.brokenInvariants->push_back(std::move(fault));
   publish(false);
   return !interrupted();
+}
+
+std::vector<std::string> FrameMaker::gridFaults() const {
+  GridFacts facts{.grid = *current_.grid, .scene = pipeline_->numbered(), .demand = &*current_.demand,
+                  .tried = capturedGridHolds() ? current_.demand->total() : current_.tried};
+  if (capturedGridHolds() && !builtHere(*loaded_->capture)) facts.builtBy = loaded_->capture->writer.empty() ? "another program" : loaded_->capture->writer;
+  return faultsOf(testGrid(facts));
 }
 
 TraceInput FrameMaker::traceInput() const {

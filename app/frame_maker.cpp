@@ -88,7 +88,7 @@ void FrameMaker::replaceSource(LoadedSource loaded) {
   current_.scene = facts;
   current_.grid.reset(), current_.worldTriangles.reset(), current_.instances.reset();
   current_.demand.reset(), current_.ledger.reset(), current_.views.clear();
-  current_.totals = {}, current_.brokenInvariants.clear();
+  current_.totals = {}, current_.brokenInvariants.reset();
   forgetPixels();
 }
 

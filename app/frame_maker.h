@@ -64,7 +64,8 @@ class FrameMaker {
   void compareSomeBuilds();
   bool showTruths();
 
-  TraceInput traceInput() const;                // of what was read
+  TraceInput traceInput() const;                // of what was read; likewise the next
+  std::vector<std::string> gridFaults() const;  // of what must hold of the grid, what does not
   bool stopWork();                              // the long work is given up: false
 
   void publish(bool stale);
@@ -99,7 +100,8 @@ class FrameMaker {
   Grid gridBefore_;                             // before the last update; empty: not kept
   bool productsRead_ = false;                   // rays, hits, counters, gather of the complete frame are in current_
   bool gridRead_ = false;                       // grid, triangles, totals likewise
-  bool gridMeasured_ = false;                   // invariants, demand, ledger
+  bool gridMeasured_ = false;                   // demand, ledger, invariants
+  std::vector<std::string> gridFaults_;         // a line for each broken one
   uint32_t proved_ = 0;                         // FrameRequest::proveAll that was answered last
   FrameSnapshot current_;                       // what is published next
 };

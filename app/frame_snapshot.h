@@ -64,7 +64,7 @@ struct FrameSnapshot {
   GridTotals totals;
   uint64_t tried = 0;                  // references
   UpdateReport update;
-  std::vector<std::string> brokenInvariants;             // a line each; empty: all hold
+  std::optional<std::vector<std::string>> brokenInvariants;  // of grid and hits, a line each; empty: all hold; nothing: not tested yet
 
   std::shared_ptr<const Grid> grid;
   std::shared_ptr<const std::vector<Triangle>> worldTriangles;

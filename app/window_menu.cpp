@@ -51,15 +51,15 @@ void light(uint32_t colour, const char* words) {
 }
 
 void drawLights(WindowModel& model) {
-  const bool grid = model.frame && model.frame->grid;
-  const bool holds = grid && model.frame->brokenInvariants.empty();
-  const char* invariants = !grid ? "Invariants not checked yet" : holds ? "Invariants hold" : "An invariant is broken";
+  const bool tested = model.frame && model.frame->brokenInvariants;
+  const bool holds = tested && model.frame->brokenInvariants->empty();
+  const char* invariants = !tested ? "Invariants not checked yet" : holds ? "Invariants hold" : "An invariant is broken";
   const char* shaders = model.shaderFault.empty() ? "Shaders current" : "Shader fault, see Log";
   const float width = ImGui::CalcTextSize(invariants).x + ImGui::CalcTextSize(shaders).x + unit(80);
   if (ImGui::GetCursorPosX() + width > ImGui::GetWindowWidth()) return;
   ImGui::SetCursorPosX(ImGui::GetWindowWidth() - width);
-  light(!grid ? kColourEmpty : holds ? kColourTriangleHit : kColourHole, invariants);
-  if (grid && !holds) whyTooltip(model.frame->brokenInvariants.front().c_str());
+  light(!tested ? kColourEmpty : holds ? kColourTriangleHit : kColourHole, invariants);
+  if (tested && !holds) whyTooltip(model.frame->brokenInvariants->front().c_str());
   light(model.shaderFault.empty() ? kColourTriangleHit : kColourHole, shaders);
 }
 

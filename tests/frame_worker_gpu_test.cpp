@@ -70,7 +70,7 @@ TEST(FrameWorker, ACompleteFrameHoldsEveryProductAndTheViewsThatWereAskedFor) {
   EXPECT_EQ(frame->hits->size(), 96u * 54u);
   EXPECT_EQ(frame->views.size(), 2u);
   EXPECT_EQ(frame->views.at("final")->elements.size(), 96u * 54u);
-  EXPECT_TRUE(frame->brokenInvariants.empty());
+  EXPECT_EQ(frame->brokenInvariants, std::vector<std::string>{});
   EXPECT_EQ(frame->tried, frame->totals.stored() + frame->totals.refused());
   ASSERT_TRUE(frame->demand && frame->ledger);
   EXPECT_EQ(frame->demand->total(), frame->tried);
