@@ -61,7 +61,7 @@ void writeFiles(const Options& options, const TuneResult& result) {
 
 TuneResult sweep(Session& session, const Options& options, Progress& progress) {
   const TuneInput input{.gpu = session.gpu(), .frame = session.pipeline(), .scene = session.capture() ? nullptr : &session.scene(),
-                        .bounds = session.bounds(), .timeSeconds = session.frameTime(0), .axes = options.tune.axes, .runs = options.tune.runs};
+                        .bounds = session.bounds(), .timeSeconds = session.frameTime(options.frame), .axes = options.tune.axes, .runs = options.tune.runs};
   Interrupt interrupt;
   TimeLeft left;
   progress.plan(tuneCount(input));
@@ -78,6 +78,7 @@ TuneResult sweep(Session& session, const Options& options, Progress& progress) {
 
 void addTuneOptions(CLI::App& command, Options& options) {
   addFrameOptions(command, options);
+  addFrameNumberOption(command, options);
   addTuneChoices(command, options);
   addJsonOption(command, options);
 }
@@ -89,8 +90,8 @@ int runTune(const Options& given) {
   Progress progress(3);
   Session session(options, progress);
   session.build();
-  session.update(0);
-  session.makeRays(0);
+  session.update(options.frame);
+  session.makeRays(options.frame);
   const TuneResult result = sweep(session, options, progress);
   progress.clear();
 
@@ -99,14 +100,18 @@ int runTune(const Options& given) {
   std::fprintf(out, "%s on %s, %s; %s rays of %ux%u; %zu settings in %.0f s\n\n", session.scene().name.c_str(), session.deviceName().c_str(),
                session.deviceReport().driver.c_str(), grouped(result.rows[0].rays).c_str(), settings.width, settings.height, result.rows.size(),
                result.seconds);
+  if (!session.builtBy().empty())
+    std::fprintf(out, "The grid of %s was built by %s; the own setting is the same shape, built here.\n\n", options.scene.c_str(), session.builtBy().c_str());
   printTune(out, result);
   if (result.stopped) std::fprintf(out, "stopped early: the sweep above is what was done until then\n");
+  if (!result.fault.empty()) std::fprintf(stderr, "error: the sweep ended at %s\n", result.fault.c_str());
   writeFiles(options, result);
   nlohmann::ordered_json json = deviceJson(session);
   json["scene"] = sceneJson(session);
   json["size"] = {settings.width, settings.height};
   json.update(tuneJson(result));
   writeJson(options, json);
+  if (!result.fault.empty()) return kExitDevice;
   return session.validationMessages() > 0 ? kExitDifferent : kExitDone;
 }
 

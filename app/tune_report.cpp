@@ -144,7 +144,7 @@ void printTune(std::FILE* out, const TuneResult& result) {
 }
 
 Json tuneJson(const TuneResult& result) {
-  Json json = {{"sweep", {{"tried", result.rows.size()}, {"stopped", result.stopped}, {"seconds", result.seconds},
+  Json json = {{"sweep", {{"tried", result.rows.size()}, {"stopped", result.stopped}, {"fault", result.fault}, {"seconds", result.seconds},
                           {"rule", {{"mostMemory", kTuneMostMemory}, {"mostTime", kTuneMostTime}}}, {"timeNoise", relativeNoise(result.rows)}}}};
   json["own"] = rowJson(result.rows[0]);
   json["recommended"] = rowJson(result.rows[result.recommended]);

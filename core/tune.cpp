@@ -6,14 +6,14 @@
 #include <cstring>
 #include <map>
 #include <memory>
-#include <new>
 #include <optional>
-#include <string_view>
+#include <utility>
 
 #include "core/build.h"
 #include "core/error.h"
-#include "core/parallel.h"
+#include "core/tune_attempt.h"
 #include "core/tune_choice.h"
+#include "core/tune_settings.h"
 
 namespace gridscope {
 namespace {
@@ -25,77 +25,25 @@ constexpr double kMostStageMs = 1500.0;
 
 double secondsSince(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
-template <class Value>
-std::vector<Value> orOwn(const std::vector<Value>& axis, Value own) {
-  return axis.empty() ? std::vector<Value>{own} : axis;
-}
-
-bool sameGrid(const GridSettings& a, const GridSettings& b) {
-  return a.cells == b.cells && a.cellEdge == b.cellEdge && a.capacity == b.capacity && a.overlap == b.overlap && a.numberBy == b.numberBy;
-}
-
-bool sameTrace(const TraceSettings& a, const TraceSettings& b) {
-  const bool reachMatters = a.traversal == kTraversalSegment;
-  return a.traversal == b.traversal && a.gate == b.gate && (!reachMatters || (a.back == b.back && a.ahead == b.ahead));
-}
-
-// Grids to try, without the frame's own. Cells are the outermost: exact hits are made anew for each cell edge.
-std::vector<GridSettings> gridsOf(const TuneInput& input) {
-  const GridSettings own = input.frame.settings().grid;
-  std::vector<NumberBy> numberings = orOwn(input.axes.numberings, own.numberBy);
-  if (!input.scene) numberings = {own.numberBy};
-  std::vector<GridSettings> grids;
-  for (uint32_t cells : orOwn(input.axes.cells, own.cells))
-    for (uint32_t overlap : orOwn(input.axes.overlaps, own.overlap))
-      for (NumberBy numberBy : numberings)
-        for (uint32_t capacity : orOwn(input.axes.capacities, own.capacity)) {
-          GridSettings grid = own;
-          grid.cells = cells;
-          if (!input.axes.cells.empty()) grid.cellEdge = 0.0f;
-          grid.overlap = overlap;
-          grid.numberBy = numberBy;
-          grid.capacity = capacity;
-          if (!sameGrid(grid, own)) grids.push_back(grid);
-        }
-  return grids;
-}
-
-// Trace settings to try, without the frame's own.
-std::vector<TraceSettings> tracesOf(const TuneInput& input) {
-  const TraceSettings own = input.frame.settings().trace;
-  std::vector<TraceSettings> traces;
-  auto add = [&](const TraceSettings& trace) {
-    auto same = [&](const TraceSettings& other) { return sameTrace(trace, other); };
-    if (!same(own) && std::ranges::none_of(traces, same)) traces.push_back(trace);
-  };
-  for (uint32_t traversal : orOwn(input.axes.traversals, own.traversal))
-    for (float back : orOwn(input.axes.backs, own.back))
-      for (float ahead : orOwn(input.axes.aheads, own.ahead))
-        for (float gate : orOwn(input.axes.gates, own.gate)) {
-          TraceSettings trace = own;
-          trace.traversal = traversal;
-          if (traversal == kTraversalSegment) trace.back = back, trace.ahead = ahead;
-          trace.gate = gate;
-          add(trace);
-        }
-  return traces;
-}
-
 // One numbering of the scene at the frame's time, with its triangles.
 struct Numbering {
   NumberedScene scene;
   std::vector<Triangle> worldTriangles;
 };
 
+TuneOwn ownOf(const TuneInput& input) {
+  return ownSettings(input.frame.settings(), input.frame.parameters(), input.frame.numbered(), input.bounds);
+}
+
 class Sweep {
  public:
   Sweep(const TuneInput& input, const TuneProgress& progress)
-      : input_(input), progress_(progress), rays_(input.frame.rays()), grids_(gridsOf(input)), traces_(tracesOf(input)) {}
+      : input_(input), progress_(progress), rays_(input.frame.rays()), own_(ownOf(input)),
+        grids_(gridsToTry(input.axes, own_.grid, input.scene != nullptr)), traces_(tracesToTry(input.axes, own_.trace)) {}
 
   TuneResult run() {
     const Clock::time_point start = Clock::now();
-    const FrameSettings& own = input_.frame.settings();
-    tryGrid(own.grid);
+    tryGrid(own_.grid);
     if (!result_.rows.front().measured()) throw Error("the frame's own setting: " + result_.rows.front().refusal, kExitDevice);
     for (const GridSettings& grid : grids_)
       if (!result_.stopped) tryGrid(grid);
@@ -115,47 +63,47 @@ class Sweep {
     if (progress_ && !progress_({result_.rows.size(), total(), result_.rows.back()})) result_.stopped = true;
   }
 
-  // Runs `work`, whose fault becomes the row's refusal; a lost device is the sweep's end.
-  template <class Work>
-  void refusing(TuneRow& row, Work work) {
-    try {
-      work();
-    } catch (const Error& error) {
-      if (std::string_view(error.what()).find("DEVICE_LOST") != std::string_view::npos) throw;
-      row.refusal = error.what();
-    } catch (const std::bad_alloc&) {
-      row.refusal = "not enough memory";
-    }
+  // Measures a setting and adds its row; a lost device ends the sweep, and what was done until then is kept.
+  template <class Measure>
+  void tryAndFinish(TuneRow row, Measure measure) {
+    timedAlone_ = false;
+    const bool lives = tryRow(row, measure, [&] { return timedAlone_ = std::exchange(beside_, nullptr) != nullptr; });
+    if (!lives) result_.fault = tuneTitle(row) + ": " + row.refusal, result_.stopped = true;
+    finishRow(std::move(row));
+  }
+
+  std::unique_ptr<Pipeline> pipelineOf(const TuneRow& row) {
+    auto pipeline = std::make_unique<Pipeline>(input_.gpu, inputsOf(row), input_.frame.device());
+    pipeline->useRays(rays_);
+    return pipeline;
   }
 
   void tryGrid(const GridSettings& grid) {
-    TuneRow row{.grid = grid, .trace = input_.frame.settings().trace};
-    refusing(row, [&] {
-      auto pipeline = std::make_unique<Pipeline>(input_.gpu, inputsOf(row), input_.frame.device());
-      pipeline->useRays(rays_);
+    tryAndFinish({.grid = grid, .trace = own_.trace}, [&](TuneRow& row) {
+      std::unique_ptr<Pipeline> pipeline = pipelineOf(row);
       measureGrid(*pipeline, row);
       measureTrace(*pipeline, row);
-      if (!own_) own_ = std::move(pipeline), ownTraceMs_ = row.traceMs.median;
+      if (result_.rows.empty()) beside_ = std::move(pipeline), ownTraceMs_ = row.traceMs.median;
     });
-    finishRow(std::move(row));
   }
 
   // The trace's constants, all on the best grid, which is built once.
   void tryTraces() {
     if (traces_.empty()) return;
-    TuneRow best{.grid = result_.rows[result_.bestGrid].grid, .trace = input_.frame.settings().trace};
-    Pipeline pipeline(input_.gpu, inputsOf(best), input_.frame.device());
-    pipeline.useRays(rays_);
-    measureGrid(pipeline, best);
+    std::unique_ptr<Pipeline> pipeline;
+    TuneRow best{.grid = result_.rows[result_.bestGrid].grid, .trace = own_.trace};
     for (const TraceSettings& trace : traces_) {
       if (result_.stopped) return;
-      TuneRow row = best;
-      row.trace = trace;
-      refusing(row, [&] {
-        pipeline.setTrace(trace);
-        measureTrace(pipeline, row);
+      tryAndFinish({.grid = best.grid, .trace = trace}, [&](TuneRow& row) {
+        if (!pipeline) {
+          pipeline = pipelineOf(best);
+          measureGrid(*pipeline, best);
+        }
+        row = best;
+        row.trace = trace;
+        pipeline->setTrace(trace);
+        measureTrace(*pipeline, row);
       });
-      finishRow(std::move(row));
     }
   }
 
@@ -164,7 +112,7 @@ class Sweep {
     auto [found, isNew] = numberings_.try_emplace(order);
     if (!isNew) return found->second;
     Numbering& made = found->second;
-    if (order == input_.frame.settings().grid.numberBy) {
+    if (order == own_.grid.numberBy) {
       made.scene = input_.frame.numbered();
     } else {
       made.scene = numberScene(*input_.scene, order);
@@ -180,10 +128,11 @@ class Sweep {
     const Numbering& numbered = numbering(row.grid.numberBy);
     PipelineInputs inputs{.name = input_.frame.name(), .numbered = numbered.scene, .settings = input_.frame.settings(),
                           .parameters = input_.frame.parameters()};
+    const bool isOwn = triesSame(row.grid, own_.grid);
     inputs.settings.grid = row.grid;
     inputs.settings.trace = row.trace;
-    inputs.parameters.grid = deriveGrid(row.grid, input_.bounds, numbered.scene);
-    inputs.parameters.trace = deriveTrace(row.trace, inputs.parameters.grid);
+    inputs.parameters.grid = isOwn ? own_.gridParameters : deriveGrid(row.grid, input_.bounds, numbered.scene);
+    inputs.parameters.trace = isOwn && triesSame(row.trace, own_.trace) ? own_.traceParameters : deriveTrace(row.trace, inputs.parameters.grid);
     return inputs;
   }
 
@@ -220,13 +169,28 @@ class Sweep {
       traced.trace(false);
       return traced.times().trace;
     };
+    bringBeside();
     std::vector<double> beside;
     Spread spread = timed([&] {
-      if (own_) beside.push_back(once(*own_));
+      if (beside_) beside.push_back(once(*beside_));
       return once(pipeline);
     });
-    const double scale = own_ ? ownTraceMs_ / std::max(spreadOf(std::move(beside)).median, 1e-9) : 1.0;
+    const double scale = beside_ ? ownTraceMs_ / std::max(spreadOf(std::move(beside)).median, 1e-9) : 1.0;
     return {.min = spread.min * scale, .median = spread.median * scale, .max = spread.max * scale};
+  }
+
+  // The own setting to time beside, again after it made room for another. Where both don't fit, times stand alone.
+  void bringBeside() {
+    if (beside_ || timedAlone_ || result_.rows.empty()) return;
+    TuneRow own{.grid = own_.grid, .trace = own_.trace};
+    std::unique_ptr<Pipeline> pipeline;
+    const auto build = [&](TuneRow& row) {
+      pipeline = pipelineOf(row);
+      pipeline->build();
+      pipeline->update(std::vector<Instance>(pipeline->numbered().instances));
+    };
+    if (!tryRow(own, build, [] { return false; })) throw Error(own.refusal, kExitDevice);
+    if (own.measured()) beside_ = std::move(pipeline);
   }
 
   // The counting trace for the counters, then the fast one for its time. Their hits are the same.
@@ -262,10 +226,12 @@ class Sweep {
   const TuneInput& input_;
   const TuneProgress& progress_;
   std::vector<Ray> rays_;
+  TuneOwn own_;
   std::vector<GridSettings> grids_;
   std::vector<TraceSettings> traces_;
   std::map<NumberBy, Numbering> numberings_;
-  std::unique_ptr<Pipeline> own_;        // of the first row, once it is measured
+  std::unique_ptr<Pipeline> beside_;     // the first row's, once it is measured: it is timed beside all others
+  bool timedAlone_ = false;              // the present row needs the room of beside_
   double ownTraceMs_ = 0.0;              // median of the first row
   std::vector<Hit> exact_;
   std::optional<float> exactTMin_;       // of exact_
@@ -281,7 +247,10 @@ uint64_t TuneRow::wrong() const {
   return count;
 }
 
-size_t tuneCount(const TuneInput& input) { return 1 + gridsOf(input).size() + tracesOf(input).size(); }
+size_t tuneCount(const TuneInput& input) {
+  const TuneOwn own = ownOf(input);
+  return 1 + gridsToTry(input.axes, own.grid, input.scene != nullptr).size() + tracesToTry(input.axes, own.trace).size();
+}
 
 TuneResult tune(const TuneInput& input, const TuneProgress& progress) { return Sweep(input, progress).run(); }
 

@@ -32,7 +32,7 @@ struct TuneAxes {
 
 struct TuneInput {
   GpuContext& gpu;
-  Pipeline& frame;                     // what is tuned: its settings, instances and rays; gather and bounce (or useRays) have run
+  Pipeline& frame;                     // what is tuned: its settings and shape, instances and rays; gather and bounce (or useRays) have run
   const Scene* scene = nullptr;        // to number in other orders; null (a capture): the frame's own numbering alone
   Bounds bounds;                       // that grids cover: the scene's over its whole animation
   float timeSeconds = 0.0f;            // of the frame, for a scene's transforms
@@ -66,7 +66,8 @@ struct TuneResult {
   std::vector<TuneRow> rows;           // in the order tried; the first is the frame's own setting
   size_t recommended = 0;              // into rows, by the rule of tune_choice.h; 0: the sweep found nothing better
   size_t bestGrid = 0;                 // into rows: whose grid the trace's constants were tried on
-  bool stopped = false;                // by the progress function: rows hold what was done until then
+  bool stopped = false;                // by the progress function, or because of `fault`: rows hold what was done until then
+  std::string fault;                   // why it could not go on: the device is lost; empty: it could
   double seconds = 0.0;                // it took
 };
 
@@ -81,7 +82,7 @@ using TuneProgress = std::function<bool(const TuneStep& step)>;  // false stops 
 // How many settings a sweep tries, the frame's own included.
 size_t tuneCount(const TuneInput& input);
 
-// Runs the sweep. What can't be tried becomes a row with its reason; throws Error when the frame's own setting fails or the device is lost.
+// Runs the sweep. What can't be tried becomes a row with its reason; throws Error when the frame's own setting fails.
 TuneResult tune(const TuneInput& input, const TuneProgress& progress = {});
 
 }  // namespace gridscope
