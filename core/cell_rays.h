@@ -1,4 +1,4 @@
-// How often the rays of a frame ask each cell for its references.
+// How many rays of a frame ask each cell for its references.
 #pragma once
 
 #include <span>
@@ -9,7 +9,8 @@
 
 namespace gridscope {
 
-// Traces all rays again, on all cores, with hooks that count. A ray that comes back to a cell counts once more. x fastest.
+// Traces all rays again, on all cores, with hooks that count. A ray asks a cell at most once: its way through a cell is one piece,
+// and the cell visited last is not asked again. x fastest.
 std::vector<CellRays> countCellRays(const TraceInput& input, std::span<const Ray> rays);
 
 }  // namespace gridscope
