@@ -12,11 +12,13 @@ namespace gridscope {
 
 void addReportOptions(CLI::App& command, Options& options) {
   addFrameOptions(command, options);
+  addFrameNumberOption(command, options);
+  addTruthOptions(command, options);
   addPageOption(command, options);
 }
 
 int runReport(const Options& options) {
-  Progress progress(6 + allViews().size());
+  Progress progress(7 + allViews().size());
   Session session(options, progress);
   const PageFrame frame = makePageFrame(options, session, progress);
   progress.step("write the page");

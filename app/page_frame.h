@@ -7,27 +7,28 @@
 #include "app/explain_report.h"
 #include "app/report.h"
 #include "app/session.h"
+#include "views/picture.h"
 
 namespace gridscope {
 
-// A view's picture and the strip below it that says how to read it.
+// A view's picture, without the strip below it: the page says itself how to read it.
 struct PagePicture {
   const View* view;
-  Picture picture;
-  Picture legend;
+  ViewPicture shown;
 };
 
 struct PageFrame {
   std::string scene;                     // its name
   std::string device;                    // that ran build, update and trace; and its driver
   CaptureNames names;
+  uint32_t frameCount = 1;               // of the captured sequence that it is one of
   FrameSettings settings;
   GridParameters grid{};
   RenderReport rendered;                 // one frame
   std::vector<std::vector<std::string>> statistics;   // rows of a name and a text
   ExplainReport explained;
   std::vector<RayCounters> counters;     // one a ray
-  std::vector<std::string> brokenInvariants;          // empty: all hold
+  std::vector<Invariant> invariants;     // of the grid and the hits
   std::vector<std::string> warnings;     // of the scene
   std::vector<PagePicture> pictures;     // in the order of all views
   std::string command;                   // that makes the page again

@@ -19,7 +19,9 @@ static std::string cellHtml(const PageCell& cell, char column) {
     return "<td class=\"bar\"><i style=\"" + mark + printed("width:%.1f%%", percent) + "\"></i></td>";
   }
   const std::string swatch = cell.colour.empty() ? "" : "<span class=\"swatch\"" + markStyle(cell.colour) + "></span>";
-  return (column == 'r' ? "<td class=\"r\">" : column == 'n' ? "<td class=\"n\">" : "<td>") + swatch + markupText(cell.text) + "</td>";
+  const std::string pixel = cell.isPixel ? " data-pixel=\"" + markupText(cell.text) + "\"" : "";
+  const std::string kind = column == 'r' ? " class=\"r\"" : column == 'n' ? " class=\"n\"" : "";
+  return "<td" + kind + pixel + ">" + swatch + markupText(cell.text) + "</td>";
 }
 
 PageTable::PageTable(std::string caption, std::string columns, std::vector<std::string> names)
@@ -39,7 +41,7 @@ void PageTable::add(std::vector<PageCell> cells, bool marked) {
 
 std::string PageTable::html(std::string_view whenEmpty) const {
   if (empty()) return (caption_.empty() ? "" : "<h3>" + markupText(caption_) + "</h3>") + "<p class=\"dim\">" + markupText(whenEmpty) + "</p>\n";
-  std::string html = "<div class=\"scroll\"><table>";
+  std::string html = std::string("<div class=\"scroll\"><table") + (caption_.empty() ? "" : " class=\"sortable\"") + ">";
   if (!caption_.empty()) html += "<caption>" + markupText(caption_) + "</caption>";
   return html + "<thead><tr>" + head_ + "</tr></thead><tbody>\n" + body_ + "</tbody></table></div>\n";
 }

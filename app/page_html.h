@@ -27,12 +27,21 @@ struct PageCell {
     return cell;
   }
 
+  // A pixel "X,Y" of the frame: a click shows it in the pictures.
+  static PageCell pixel(std::string place) {
+    PageCell cell(std::move(place));
+    cell.isPixel = true;
+    return cell;
+  }
+
   std::string text;
   bool isBar = false;
+  bool isPixel = false;
   double share = 0.0;
   std::string colour;       // in CSS, of the bar or of a swatch before the text; empty: the page's own, or none
 };
 
+// With a caption a table can be sorted by its columns; marked rows, the sums, then stay below.
 class PageTable {
  public:
   // Columns: a letter each, l left, n left in one line, r right (numbers), b a bar.

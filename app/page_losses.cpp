@@ -47,6 +47,21 @@ std::string causeTable(const TruthTotals& totals) {
   return table.html("No ray differs from the exact answer.");
 }
 
+std::string proofTable(const ProofTotals& proofs) {
+  PageTable table("Proofs: each ray traced again without that event alone", "nrrrrbr",
+                  {"cause", "rays", "confirmed alone", "as a chain", "not confirmed", "confirmed", "control"});
+  const auto add = [&](const PageCell& name, const ProofTotals::Count& count, bool marked) {
+    const uint64_t confirmed = count.alone + count.chain;
+    table.add({name, grouped(count.total), grouped(count.alone), grouped(count.chain), grouped(count.total - confirmed),
+               PageCell::bar(shareOf(confirmed, count.total)), percentOf(count.controlConfirmed, count.controlTotal)}, marked);
+  };
+  for (uint32_t cause = kCauseNone + 1; cause < kCauseCount; ++cause)
+    if (proofs.causes[cause].total > 0) add(PageCell::named(std::string(causeName(cause).title), cssColour(causeColour(cause))), proofs.causes[cause], false);
+  add(PageCell("together"), proofs.sum(), true);
+  return table.html() + paragraph("A chain: without the first event the ray differs again with a later one, which is removed too, and so on; the longest has " +
+                                  grouped(proofs.mostLinks) + " links. Control: the event of another ray of the same cause removed instead, and the share of rays that this makes agree.");
+}
+
 // Meshes or instances: which cost the most rays.
 std::string groupTable(const char* caption, const std::vector<GroupLoss>& groups, const std::vector<std::string>& names, const char* kind, uint64_t rays) {
   PageTable table(caption, "lrrbrrr", {kind, "rays", "of all", "", "triangles", "references lost", "of tried"});
@@ -90,7 +105,7 @@ std::string worstTable(const PageFrame& frame) {
   PageTable table("The worst rays: whose ends are farthest off", "nrnnl", {"pixel", "cell edges off", "verdict", "cause", "surface that should have been hit"});
   for (uint32_t ray : explained.worst) {
     const RayTruth& truth = explained.frame.truths[ray];
-    table.add({printed("%u,%u", ray % explained.width, ray / explained.width), printed("%.3g", double(distanceOff(explained.frame, ray))),
+    table.add({PageCell::pixel(printed("%u,%u", ray % explained.width, ray / explained.width)), printed("%.3g", double(distanceOff(explained.frame, ray))),
                PageCell::named(std::string(verdictName(truth.verdict).title), cssColour(verdictColour(truth.verdict))),
                PageCell::named(std::string(causeName(truth.cause).title), cssColour(causeColour(truth.cause))),
                truth.exactReference == kBlank ? "none" : referenceText(how, truth.exactReference)});
@@ -102,7 +117,9 @@ std::string worstTable(const PageFrame& frame) {
 
 std::string verdictsHtml(const PageFrame& frame) {
   const TruthTotals& totals = frame.explained.frame.totals;
-  return "<div class=\"columns\"><div>" + verdictTable(totals) + "</div><div>" + causeTable(totals) + "</div></div>\n";
+  const std::string proofs = frame.explained.proofs ? proofTable(*frame.explained.proofs)
+                                                    : "<p class=\"dim\">The causes are not proven on this page: --verify takes each away and traces the ray again.</p>\n";
+  return "<div class=\"columns\"><div>" + verdictTable(totals) + "</div><div>" + causeTable(totals) + "</div></div>\n" + proofs;
 }
 
 std::string costsHtml(const PageFrame& frame) {

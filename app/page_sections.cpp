@@ -5,6 +5,7 @@
 
 #include "app/capture_pictures.h"
 #include "app/page_html.h"
+#include "app/page_legend.h"
 #include "app/settings_table.h"
 #include "app/text.h"
 #include "shaders/shared/truth_colours.h"
@@ -19,37 +20,51 @@ std::string tile(const std::string& figure, const std::string& words, uint32_t c
 }
 
 // An image of the gallery; alone it says all that the comparison adds a wipe to.
-std::string imageHtml(const char* kind, const Picture& picture, const std::string& alt) {
-  return printed("<img class=\"%s\" width=\"%u\" height=\"%u\" alt=\"", kind, picture.width, picture.height) + markupText(alt) + "\" src=\"" +
-         pngDataUri(pngBytes(picture)) + "\"/>";
-}
-
 std::string figureHtml(const PagePicture& picture) {
   const View& view = *picture.view;
-  const std::string title(view.title), name(view.name);
-  const bool compared = view.scope != ViewScope::slice;
-  return std::string("<figure class=\"") + (compared ? "ray" : "slice") + "\" id=\"view-" + name + "\" data-title=\"" + markupText(title) + "\">" +
-         imageHtml("picture", picture.picture, title) + imageHtml("legend", picture.legend, "How to read it: " + title) + "<figcaption><b>" + markupText(title) +
-         "</b>" + markupText(view.about) + "<br/></figcaption></figure>\n";
+  const Picture& pixels = picture.shown.picture;
+  const std::string title = markupText(view.title), name(view.name);
+  const char* kind = view.scope == ViewScope::slice ? "slice" : "ray";   // slices are no picture of the frame: nothing to compare
+  return std::string("<figure class=\"") + kind + "\" id=\"view-" + name + "\" data-title=\"" + title + "\">" +
+         printed("<img class=\"picture\" width=\"%u\" height=\"%u\" alt=\"", pixels.width, pixels.height) + title + "\" src=\"" + pngDataUri(pngBytes(pixels)) +
+         "\"/><div class=\"legend\">" + legendHtml(view, picture.shown) + "</div><figcaption><b>" + title + "</b>" + markupText(view.about) +
+         "<br/></figcaption></figure>\n";
 }
+
+// Which group of pictures a view belongs to.
+struct PictureGroup {
+  const char* title;
+  bool (*has)(const View& view);
+};
+bool ofTruth(const View& view) { return view.need == ViewNeed::truth || view.need == ViewNeed::triangleCosts; }
+bool ofGrid(const View& view) { return !ofTruth(view) && (view.needsGrid || view.scope == ViewScope::slice || view.need != ViewNeed::nothing); }
+constexpr PictureGroup kGroups[] = {
+    {"What is wrong, and why", ofTruth},
+    {"The rays", [](const View& view) { return !ofTruth(view) && !ofGrid(view) && (view.scope == ViewScope::ray || view.name == "final"); }},
+    {"The grid", ofGrid},
+    {"What the camera sees", [](const View& view) { return !ofTruth(view) && !ofGrid(view) && view.scope != ViewScope::ray && view.name != "final"; }},
+};
 
 constexpr const char* kCompare = R"(<div class="compare" id="compare" hidden="hidden">
 <div class="compare-bar">
-<label>Left (A) <select data-part="choice-a"></select></label>
-<label>Right (B) <select data-part="choice-b"></select></label>
+<label>Left <select data-part="choice-a"></select></label>
+<label>Right <select data-part="choice-b"></select></label>
 <button type="button" data-part="flip">Swap <kbd>X</kbd></button>
-<label class="wide">Wipe <kbd>[</kbd> <kbd>]</kbd> <input data-part="wipe" type="range" min="0" max="1000" value="500" aria-label="Where the left picture ends"/></label>
+<label class="wide">Wipe <kbd>[</kbd><kbd>]</kbd> <input data-part="wipe" type="range" min="0" max="1000" value="500" aria-label="Where the left picture ends"/></label>
 </div>
-<div class="stage" data-part="stage"><img data-part="picture-a" alt=""/><img data-part="picture-b" alt=""/><i class="edge"></i><span class="side a" data-part="name-a"></span><span class="side b" data-part="name-b"></span></div>
-<div class="legends"><img data-part="legend-a" alt=""/><img data-part="legend-b" alt=""/></div>
+<div class="stage" data-part="stage"><img data-part="picture-a" alt=""/><img data-part="picture-b" alt=""/><i class="edge"></i><i class="mark" data-part="mark" hidden="hidden"></i><span class="side a" data-part="name-a"></span><span class="side b" data-part="name-b"></span><span class="pixel" data-part="pixel" aria-hidden="true"></span></div>
+<div class="legends"><div class="legend" data-part="legend-a"></div><div class="legend" data-part="legend-b"></div></div>
 </div>
 )";
 
 std::string leadOf(const PageFrame& frame) {
   const TruthTotals& totals = frame.explained.frame.totals;
-  return printed("%s of %s rays are wrong (%s): holes, wrong voxel hits, hits too far or too near. ", grouped(totals.wrong()).c_str(), grouped(totals.rays).c_str(),
-                 percentOf(totals.wrong(), totals.rays).c_str()) +
-         gridText(frame.grid) + "; " + frame.device + ".";
+  std::string lead = printed("%s of %s rays are wrong (%s): holes, wrong voxel hits, hits too far or too near. ", grouped(totals.wrong()).c_str(),
+                             grouped(totals.rays).c_str(), percentOf(totals.wrong(), totals.rays).c_str());
+  lead += gridText(frame.grid) + "; " + frame.device + ".";
+  if (frame.frameCount > 1) lead += printed(" Frame %u of frames 0 to %u.", frame.explained.frameNumber, frame.frameCount - 1);
+  if (frame.explained.foreignHits.value_or(0) > 0) lead += " " + foreignHitsText(*frame.explained.foreignHits) + "; visits and tests are this trace's.";
+  return lead;
 }
 
 }  // namespace
@@ -61,7 +76,7 @@ std::string tilesHtml(const PageFrame& frame) {
   std::string html = "<div class=\"tiles\">" + tile(percentOf(totals.wrong(), totals.rays), "rays wrong", kColourHole);
   for (uint32_t verdict : {kVerdictHole, kVerdictVoxelWrong, kVerdictTooFar, kVerdictTooNear, kVerdictVoxelRight})
     html += tile(share(verdict), std::string(verdictName(verdict).title), verdictColour(verdict));
-  html += tile(percentOf(report.grid.refused(), report.grid.stored() + report.grid.refused()), "references refused", kColourSaturated);
+  if (frame.explained.countsRefused) html += tile(percentOf(report.grid.refused(), report.grid.stored() + report.grid.refused()), "references refused", kColourSaturated);
   html += tile(percentOf(report.grid.statistics.saturated, report.grid.statistics.occupied), "occupied cells saturated", kColourSaturated);
   html += tile(byteText(gridByteCount(frame.grid)), "memory of the grid", kColourDim);
   return html + tile(printed(report.times.trace < 100.0 ? "%.2f ms" : "%.0f ms", report.times.trace), "trace", kColourDim) + "</div>\n";
@@ -69,19 +84,30 @@ std::string tilesHtml(const PageFrame& frame) {
 
 std::string picturesHtml(const PageFrame& frame) {
   std::string html = kCompare;
-  html += "<div class=\"gallery\">\n";
-  for (const PagePicture& picture : frame.pictures) html += figureHtml(picture);
-  return html + "</div>\n";
+  for (const PictureGroup& group : kGroups) {
+    std::string figures;
+    for (const PagePicture& picture : frame.pictures)
+      if (group.has(*picture.view)) figures += figureHtml(picture);
+    if (!figures.empty()) html += std::string("<h3>") + group.title + "</h3><div class=\"gallery\">\n" + figures + "</div>\n";
+  }
+  return html;
 }
 
 std::string statisticsHtml(const PageFrame& frame) {
   PageTable table("", "ll", {"", "of the frame"});
   for (const std::vector<std::string>& row : frame.statistics) table.add({row[0], row[1]});
   bool first = true;
-  for (const std::string& broken : frame.brokenInvariants) table.add({std::exchange(first, false) ? "invariants" : "", "BROKEN: " + broken}, true);
-  if (frame.brokenInvariants.empty()) table.add({"invariants", "all hold"});
-  first = true;
   for (const std::string& warning : frame.warnings) table.add({std::exchange(first, false) ? "warnings" : "", warning});
+  return table.html();
+}
+
+std::string invariantsHtml(const PageFrame& frame) {
+  PageTable table("", "nnl", {"what must hold", "does it?", ""});
+  for (const Invariant& invariant : frame.invariants) {
+    const char* word = !invariant.whyNot.empty() ? "does not apply" : invariant.holds() ? "holds" : "broken";
+    const std::string colour = cssColour(!invariant.whyNot.empty() ? kColourDim : invariant.holds() ? kColourTriangleHit : kColourHole);
+    table.add({invariant.name, PageCell::named(word, colour), invariant.holds() ? invariant.whyNot : invariant.fault}, !invariant.holds());
+  }
   return table.html();
 }
 
@@ -101,8 +127,8 @@ ReportPage reportPage(const PageFrame& frame) {
   ReportPage page{.title = frame.scene, .lead = leadOf(frame), .tiles = tilesHtml(frame)};
   page.sections = {{"pictures", "Pictures", picturesHtml(frame)},       {"verdicts", "Verdicts and causes", verdictsHtml(frame)},
                    {"costs", "What it cost", costsHtml(frame)},         {"plots", "Plots", plotsHtml(frame)},
-                   {"statistics", "Statistics", statisticsHtml(frame)}, {"settings", "Settings", settingsHtml(frame)},
-                   {"device", "Device and command", deviceHtml(frame)}};
+                   {"statistics", "Statistics", statisticsHtml(frame)}, {"invariants", "Invariants", invariantsHtml(frame)},
+                   {"settings", "Settings", settingsHtml(frame)},       {"device", "Device and command", deviceHtml(frame)}};
   page.footer = std::string("Written by gridscope ") + GRIDSCOPE_VERSION + ". This page needs no network.";
   return page;
 }

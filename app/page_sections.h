@@ -12,6 +12,7 @@ std::string verdictsHtml(const PageFrame& frame);    // verdicts and causes
 std::string costsHtml(const PageFrame& frame);       // meshes, instances and cells that cost most, the worst rays
 std::string plotsHtml(const PageFrame& frame);       // occupancy, demand, visits, tests
 std::string statisticsHtml(const PageFrame& frame);
+std::string invariantsHtml(const PageFrame& frame);  // what must hold, and whether it does
 std::string settingsHtml(const PageFrame& frame);
 std::string deviceHtml(const PageFrame& frame);      // and the command to make the page again
 

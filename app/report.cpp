@@ -18,9 +18,10 @@ std::string storedText(const char* kind, uint64_t stored, uint64_t refused) {
   return printed("%s: %s stored, %s refused (%s)", kind, grouped(stored).c_str(), grouped(refused).c_str(), percentOf(refused, stored + refused).c_str());
 }
 
-void addReferences(Table& table, const FrameReport& frame) {
+void addReferences(Table& table, const FrameReport& frame, bool countsRefused) {
   const GridStatistics& s = frame.grid.statistics;
   const std::string outside = frame.triangles.outside == 0 ? "" : grouped(frame.triangles.outside) + " triangles reach beyond the grid";
+  if (!countsRefused) return table.add({"references", grouped(frame.grid.stored()) + " stored; the grid does not count what it refuses"});
   table.add({"references", grouped(frame.tried) + " tried; " + storedText("in all", frame.grid.stored(), frame.grid.refused())});
   table.add({"", storedText("static", s.staticStored, s.staticRefused) + "; " + storedText("dynamic", s.dynamicStored, s.dynamicRefused)});
   if (!outside.empty()) table.add({"", outside});
@@ -93,8 +94,8 @@ Table reportTable(const Session& session, const RenderReport& report) {
   table.add({"scene", sceneText(session, frame)});
   table.add({"device", session.deviceName() + ", " + session.deviceReport().driver});
   table.add({"grid", gridText(grid) + printed(", stretched along %c, ", "xyz"[grid.stretchAxis]) + byteText(gridByteCount(grid))});
-  addReferences(table, frame);
-  table.add({"", refusedFirst(session.pipeline().settings().grid)});
+  addReferences(table, frame, grid.reserved == 2);
+  if (session.canRebuild()) table.add({"", refusedFirst(session.pipeline().settings().grid)});
   addCells(table, frame, grid);
   addUpdate(table, session, frame);
   addRays(table, frame);

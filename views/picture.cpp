@@ -87,14 +87,12 @@ ViewPicture makeViewPicture(const View& view, std::span<const ViewElement> eleme
   result.range = settings.range ? *settings.range : viewRange(view, elements, settings.capacity);
   uint32_t factor = isSlice ? enlargement(width, height, settings) : 1;
   result.picture = colourElements(elements, width, height, factor, result.range, settings.colourMap);
+  result.beyond = std::ranges::any_of(finiteValues(elements), [&](float value) { return value > result.range[1]; });
+  if (isSlice) result.note = sliceNote(settings);
   if (!settings.legend) return result;
 
-  Legend legend{.view = &view, .range = result.range, .colourMap = settings.colourMap, .note = {}, .lines = settings.lines};
-  legend.beyond = std::ranges::any_of(finiteValues(elements), [&](float value) { return value > result.range[1]; });
-  if (isSlice) {
-    legend.note = sliceNote(settings);
-    result.picture = centred(result.picture, kNarrowestLegend);
-  }
+  Legend legend{.view = &view, .range = result.range, .beyond = result.beyond, .colourMap = settings.colourMap, .note = result.note, .lines = settings.lines};
+  if (isSlice) result.picture = centred(result.picture, kNarrowestLegend);
   result.picture = setBelow(result.picture, drawLegend(legend, result.picture.width));
   return result;
 }

@@ -33,6 +33,8 @@ struct ViewPictureSettings {
 struct ViewPicture {
   Picture picture;
   ValueRange range;                             // that was used
+  bool beyond = false;                          // some values are above it
+  std::string note;                             // of a layer of cells, which one and which way it lies
 };
 
 // The view's own range for these elements: always finite, low < high.
