@@ -6,6 +6,8 @@
 #include <embree3/rtcore.h>
 
 #include <algorithm>
+#include <array>
+#include <mutex>
 #include <string>
 
 #include "core/error.h"
@@ -21,8 +23,13 @@ struct ExactTrace : TraceLoads {
 #include "shaders/shared/traverse.h"
 };
 
-// Boxes are padded by this share of the largest coordinate: more than the rounding of the ray test at any place of the scene.
+// Boxes are padded by this share of the largest coordinate, of the triangles or of the ray's origin: more than the rounding of the ray test.
 constexpr float kBoxPadding = 1e-5f;
+
+// Rays that start farther away than the scene's largest coordinate get a hierarchy of their own, each for origins so many times as far as the
+// one before. Where its padding would be as large as the scene, every triangle is tried: at most 6 times 8, as 1e-5 * 8^6 > 2.
+constexpr float kFartherBy = 8.0f;
+constexpr size_t kMostHierarchies = 6;
 
 // A ray on its way through the hierarchy.
 struct Query {
@@ -40,17 +47,27 @@ struct Query {
 }  // namespace
 
 struct ExactReference::Parts {
+  // Built when the first ray asks for it.
+  struct Hierarchy {
+    const Parts* parts = nullptr;
+    float padding = 0.0f;             // of boxes, world units
+    std::once_flag built;
+    RTCScene scene = nullptr;
+  };
+
   TraceInput input;
   mutable ExactTrace loads;           // holds nothing that a ray changes
-  std::vector<uint32_t> references;   // of the primitives: triangles with an area, rising
+  std::vector<uint32_t> references;   // of the primitives, rising
   std::vector<uint32_t> triangles;    // their world triangles
-  float padding = 0.0f;               // of boxes, world units
+  float largest = 0.0f;               // coordinate of any of them
+  float extent = 0.0f;                // of the scene, its longest side
   RTCDevice device = nullptr;
-  RTCScene scene = nullptr;
+  mutable std::array<Hierarchy, kMostHierarchies> hierarchies;
 
   explicit Parts(const TraceInput& traceInput) : input(traceInput), loads(input) {}
   ~Parts() {
-    if (scene) rtcReleaseScene(scene);
+    for (Hierarchy& hierarchy : hierarchies)
+      if (hierarchy.scene) rtcReleaseScene(hierarchy.scene);
     if (device) rtcReleaseDevice(device);
   }
   Parts(const Parts&) = delete;
@@ -58,25 +75,30 @@ struct ExactReference::Parts {
 
   const Triangle& triangleOf(uint32_t primitive) const { return input.worldTriangles[triangles[primitive]]; }
   void listPrimitives();
-  void build();
-  void bound(uint32_t primitive, RTCBounds& bounds) const;
+  RTCScene sceneFor(const Ray& ray) const;
+  void build(Hierarchy& hierarchy) const;
+  void bound(uint32_t primitive, float padding, RTCBounds& bounds) const;
+  static void cast(Query& query, RTCScene scene);
   void offer(Query& query, uint32_t primitive) const;
 };
 
-// Triangles without an area are not surfaces. The padding comes along.
+// Every triangle, those too that the build leaves out as having no area: whether a ray hits them is the test's to say.
 void ExactReference::Parts::listPrimitives() {
-  vec3 largest(0.0f);
+  vec3 low(kFar), high(-kFar);
   for (uint32_t i = 0; i < input.scene.instanceCount(); ++i) {
     const Instance& instance = input.scene.instances[i];
     for (uint32_t k = 0; k < instance.triangleCount; ++k) {
       const Triangle& triangle = input.worldTriangles[instance.firstWorldTriangle + k];
-      if (triangleDegenerate(triangleNormal(triangle))) continue;
       references.push_back(makeReference(i, k));
       triangles.push_back(instance.firstWorldTriangle + k);
-      largest = max(largest, max(abs(triangle.a), max(abs(triangle.b), abs(triangle.c))));
+      low = min(low, min(triangle.a, min(triangle.b, triangle.c)));
+      high = max(high, max(triangle.a, max(triangle.b, triangle.c)));
     }
   }
-  padding = kBoxPadding * std::max(largest.x, std::max(largest.y, largest.z));
+  for (int axis = 0; axis < 3 && !references.empty(); ++axis) {
+    largest = std::max({largest, std::abs(low[axis]), std::abs(high[axis])});
+    extent = std::max(extent, high[axis] - low[axis]);
+  }
 }
 
 // The trace's own test, tMin and alpha keying. Of equal distances the smaller reference, in whatever order they are offered. Embree is
@@ -93,7 +115,7 @@ void ExactReference::Parts::offer(Query& query, uint32_t primitive) const {
   query.reference = reference;
 }
 
-void ExactReference::Parts::bound(uint32_t primitive, RTCBounds& bounds) const {
+void ExactReference::Parts::bound(uint32_t primitive, float padding, RTCBounds& bounds) const {
   const Triangle& triangle = triangleOf(primitive);
   const vec3 low = min(triangle.a, min(triangle.b, triangle.c)) - padding;
   const vec3 high = max(triangle.a, max(triangle.b, triangle.c)) + padding;
@@ -101,20 +123,38 @@ void ExactReference::Parts::bound(uint32_t primitive, RTCBounds& bounds) const {
   bounds.upper_x = high.x, bounds.upper_y = high.y, bounds.upper_z = high.z;
 }
 
-void ExactReference::Parts::build() {
-  device = rtcNewDevice(nullptr);
-  if (!device) failEmbree(nullptr, "rtcNewDevice");
-  scene = rtcNewScene(device);
+// The hierarchy whose padding suits a ray; null: try every triangle.
+RTCScene ExactReference::Parts::sceneFor(const Ray& ray) const {
+  const float away = std::max({std::abs(ray.origin.x), std::abs(ray.origin.y), std::abs(ray.origin.z)});
+  float reach = 1.01f * largest;  // a hair more: rays start on the scene's surfaces, give or take their rounding
+  for (Hierarchy& hierarchy : hierarchies) {
+    if (!(kBoxPadding * reach < extent)) return nullptr;
+    if (away <= reach) {
+      std::call_once(hierarchy.built, [&] {
+        hierarchy.parts = this;
+        hierarchy.padding = kBoxPadding * reach;
+        build(hierarchy);
+      });
+      return hierarchy.scene;
+    }
+    reach *= kFartherBy;
+  }
+  return nullptr;
+}
+
+void ExactReference::Parts::build(Hierarchy& hierarchy) const {
+  RTCScene scene = hierarchy.scene = rtcNewScene(device);
   rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);
   RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_USER);
   rtcSetGeometryUserPrimitiveCount(geometry, unsigned(references.size()));
-  rtcSetGeometryUserData(geometry, this);
+  rtcSetGeometryUserData(geometry, &hierarchy);
   rtcSetGeometryBoundsFunction(geometry, [](const RTCBoundsFunctionArguments* arguments) {
-    static_cast<const Parts*>(arguments->geometryUserPtr)->bound(arguments->primID, *arguments->bounds_o);
+    const Hierarchy& asked = *static_cast<const Hierarchy*>(arguments->geometryUserPtr);
+    asked.parts->bound(arguments->primID, asked.padding, *arguments->bounds_o);
   }, nullptr);
   rtcSetGeometryIntersectFunction(geometry, [](const RTCIntersectFunctionNArguments* arguments) {
     Query& query = *reinterpret_cast<Query*>(arguments->context);
-    static_cast<const Parts*>(arguments->geometryUserPtr)->offer(query, arguments->primID);
+    static_cast<const Hierarchy*>(arguments->geometryUserPtr)->parts->offer(query, arguments->primID);
   });
   rtcCommitGeometry(geometry);
   rtcAttachGeometry(scene, geometry);
@@ -123,9 +163,23 @@ void ExactReference::Parts::build() {
   if (rtcGetDeviceError(device) != RTC_ERROR_NONE) failEmbree(device, "rtcCommitScene");
 }
 
+// Offers the triangles whose boxes the ray meets.
+void ExactReference::Parts::cast(Query& query, RTCScene scene) {
+  const Ray& ray = *query.ray;
+  rtcInitIntersectContext(&query.context);
+  RTCRayHit rayHit{};
+  rayHit.ray.org_x = ray.origin.x, rayHit.ray.org_y = ray.origin.y, rayHit.ray.org_z = ray.origin.z;
+  rayHit.ray.dir_x = ray.direction.x, rayHit.ray.dir_y = ray.direction.y, rayHit.ray.dir_z = ray.direction.z;
+  rayHit.ray.tfar = kFar;
+  rayHit.ray.mask = ~0u;
+  rayHit.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+  rtcIntersect1(scene, &query.context, &rayHit);
+}
+
 ExactReference::ExactReference(const TraceInput& input) : parts_(std::make_unique<Parts>(input)) {
   parts_->listPrimitives();
-  parts_->build();
+  parts_->device = rtcNewDevice(nullptr);
+  if (!parts_->device) failEmbree(nullptr, "rtcNewDevice");
 }
 
 ExactReference::~ExactReference() = default;
@@ -135,14 +189,9 @@ Hit ExactReference::trace(const Ray& ray) const {
   ExactTrace& loads = parts_->loads;
   if (ray.valid == 0u) return loads.missedHit(kHitNoRay);
   Query query{.context = {}, .ray = &ray, .best = kFar, .reference = kBlank};
-  rtcInitIntersectContext(&query.context);
-  RTCRayHit rayHit{};
-  rayHit.ray.org_x = ray.origin.x, rayHit.ray.org_y = ray.origin.y, rayHit.ray.org_z = ray.origin.z;
-  rayHit.ray.dir_x = ray.direction.x, rayHit.ray.dir_y = ray.direction.y, rayHit.ray.dir_z = ray.direction.z;
-  rayHit.ray.tfar = kFar;
-  rayHit.ray.mask = ~0u;
-  rayHit.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-  rtcIntersect1(parts_->scene, &query.context, &rayHit);
+  const RTCScene scene = parts_->sceneFor(ray);
+  if (scene) Parts::cast(query, scene);
+  for (uint32_t primitive = 0; !scene && primitive < parts_->references.size(); ++primitive) parts_->offer(query, primitive);
   if (query.reference == kBlank) return loads.missedHit(kHitMiss);
   return loads.finishHit(ray, loads.makeHit(kHitTriangle, query.best, query.reference));
 }

@@ -13,7 +13,7 @@ namespace gridscope {
 
 class ExactReference {
  public:
-  // Builds Embree's hierarchy over the present world triangles, on all cores. What `input` refers to must outlive this.
+  // Of the present world triangles. What `input` refers to must outlive this.
   explicit ExactReference(const TraceInput& input);
   ~ExactReference();
   ExactReference(ExactReference&&) noexcept;

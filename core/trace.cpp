@@ -57,7 +57,7 @@ Hit traceBruteForce(const TraceInput& input, const Ray& ray) {
     for (uint32_t k = 0; k < instance.triangleCount; ++k) {
       const Triangle& triangle = input.worldTriangles[instance.firstWorldTriangle + k];
       const TriangleTest test = testTriangle(ray, triangle, input.parameters.tMin, kFar);
-      if (test.verdict != kTestHit || test.t >= best || triangleDegenerate(triangleNormal(triangle))) continue;
+      if (test.verdict != kTestHit || test.t >= best) continue;
       uint alphaByte;
       if (!trace.alphaPasses(makeReference(i, k), triangle, rayPoint(ray, test.t), alphaByte)) continue;
       best = test.t;

@@ -117,6 +117,19 @@ TEST(Exact, HugeSmallAndFarAwayScenesFindTheSame) {
   expectLikeBruteForce(sceneOf(triangles), raysAt(triangles, 2000, 12));
 }
 
+TEST(Exact, RaysFromFarAwayFindTheSame) {
+  const std::vector<Triangle> triangles = randomTriangles(400, 1.0f, 0.5f, 15);
+  std::mt19937 random(16);
+  for (float distance : {20.0f, 300.0f, 20000.0f, 1e6f, 1e9f}) {
+    std::vector<Ray> rays;
+    for (int i = 0; i < 2000; ++i) {
+      const vec3 origin = distance * randomDirection(random), target = randomPoint(random, -1.0f, 1.0f);
+      rays.push_back(makeRay(origin, target - origin));
+    }
+    expectLikeBruteForce(sceneOf(triangles), rays);
+  }
+}
+
 TEST(Exact, AlphaKeyedLeavesLetTheSameRaysThrough) {
   const Scene scene = makeBuiltInScene("alpha-leaf");
   const Bounds bounds = sceneBounds(scene);
