@@ -47,6 +47,15 @@ size_t cellIndex(const GridParameters& grid, ivec3 cell) {
   return (size_t(cell.z) * size_t(grid.cellCount.y) + size_t(cell.y)) * size_t(grid.cellCount.x) + size_t(cell.x);
 }
 
+// Only a full cell refuses; where the grid counts or flags, it says so.
+bool hasRefused(const Grid& grid, ivec3 cell, size_t stored) {
+  if (!gridContains(grid.parameters, cell) || stored < size_t(grid.parameters.capacity)) return false;
+  if (grid.parameters.reserved == 0) return true;
+  for (int slot = grid.parameters.capacity; slot < grid.parameters.capacity + grid.parameters.reserved; ++slot)
+    if (grid.at(gridTexel(grid.parameters, cell, slot)) != 0) return true;
+  return false;
+}
+
 }  // namespace
 
 Demand::Demand(const GridParameters& grid, const NumberedScene& scene, std::span<const Triangle> worldTriangles) : grid_(grid) {
@@ -104,6 +113,7 @@ std::vector<uint32_t> storedIn(const Grid& grid, ivec3 cell) {
 
 std::vector<uint32_t> refusedBy(const Grid& grid, const Demand& demand, ivec3 cell) {
   std::vector<uint32_t> stored = storedIn(grid, cell), refused;
+  if (!hasRefused(grid, cell, stored.size())) return refused;
   std::sort(stored.begin(), stored.end());
   const std::span<const uint32_t> wanted = demand.wanted(cell);
   std::set_difference(wanted.begin(), wanted.end(), stored.begin(), stored.end(), std::back_inserter(refused));

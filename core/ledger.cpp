@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <map>
 
-
 namespace gridscope {
 
 namespace {
@@ -15,6 +14,9 @@ size_t cellIndex(const GridParameters& grid, ivec3 cell) {
 
 // The triangle that a ray's fault is charged to: the one that it should have hit; where there is none, the one that the event is about.
 uint32_t chargedReference(const RayTruth& truth) { return truth.exactReference != kBlank ? truth.exactReference : truth.reference; }
+
+// Was the ray's surface lost for want of a slot?
+bool byLostReference(const RayTruth& truth) { return truth.cause == kCauseRefused || truth.cause == kCauseGate; }
 
 bool differs(const RayTruth& truth) { return truth.verdict != kVerdictNoRay && truth.verdict != kVerdictAgrees; }
 
@@ -67,7 +69,10 @@ struct Losses {
     for (const RayTruth& truth : truths) {
       if (!differs(truth)) continue;
       if (gridContains(grid, truth.cell)) ++raysOfCell[cellIndex(grid, truth.cell)];
-      if (TriangleLoss* loss = find(chargedReference(truth))) ++loss->rays;
+      if (TriangleLoss* loss = find(chargedReference(truth))) {
+        loss->rays += 1;
+        loss->lostRays += byLostReference(truth) ? 1 : 0;
+      }
     }
     for (CellLoss& loss : cells) {
       const auto found = raysOfCell.find(cellIndex(grid, loss.cell));
@@ -76,9 +81,10 @@ struct Losses {
   }
 };
 
-// Sums by a number that each of the grid's instances has.
-template <typename NumberOf>
-std::vector<GroupLoss> sumGroups(const Losses& losses, std::span<const RayTruth> truths, NumberOf numberOf) {
+// Which of the two kinds of group, by a number that each of the grid's instances has.
+using GroupNumber = uint32_t (*)(const InstanceSource& source);
+
+std::vector<GroupLoss> sumGroups(const Losses& losses, std::span<const RayTruth> truths, GroupNumber numberOf) {
   const NumberedScene& scene = losses.input.trace.scene;
   std::map<uint32_t, GroupLoss> groups;
   for (uint32_t i = 0; i < scene.instanceCount(); ++i) {
@@ -90,6 +96,7 @@ std::vector<GroupLoss> sumGroups(const Losses& losses, std::span<const RayTruth>
       group.stored += loss.stored;
       group.lost += loss.lost;
       group.rays += loss.rays;
+      group.lostRays += loss.lostRays;
     }
   }
   for (const RayTruth& truth : truths) {
@@ -97,8 +104,48 @@ std::vector<GroupLoss> sumGroups(const Losses& losses, std::span<const RayTruth>
     if (differs(truth) && instance < scene.instanceCount()) ++groups[numberOf(scene.sources[instance])].verdicts[truth.verdict];
   }
   std::vector<GroupLoss> list;
-  for (const auto& [number, group] : groups) list.push_back(group);
+  for (auto& [number, group] : groups) list.push_back(std::move(group));
   return list;
+}
+
+// The rays that lost references cost, by group and cell.
+std::map<std::pair<uint32_t, size_t>, uint32_t> lostRaysByCell(const Losses& losses, std::span<const RayTruth> truths, GroupNumber numberOf) {
+  const TraceInput& trace = losses.input.trace;
+  std::map<std::pair<uint32_t, size_t>, uint32_t> rays;
+  for (const RayTruth& truth : truths) {
+    const uint32_t instance = referenceInstance(chargedReference(truth));
+    if (!byLostReference(truth) || instance >= trace.scene.instanceCount() || !gridContains(trace.grid.parameters, truth.cell)) continue;
+    ++rays[{numberOf(trace.scene.sources[instance]), cellIndex(trace.grid.parameters, truth.cell)}];
+  }
+  return rays;
+}
+
+bool costsMore(const GroupCell& a, const GroupCell& b) { return a.rays != b.rays ? a.rays > b.rays : a.lost > b.lost; }
+
+// Where each group's references were lost: cell by cell, keeping the worst few of each group.
+void placeLosses(const Losses& losses, std::span<const RayTruth> truths, GroupNumber numberOf, std::vector<GroupLoss>& groups) {
+  const TraceInput& trace = losses.input.trace;
+  const auto rays = lostRaysByCell(losses, truths, numberOf);
+  for (const CellLoss& cell : losses.cells) {
+    if (cell.refused == 0) continue;
+    std::map<uint32_t, GroupCell> here;
+    for (uint32_t reference : refusedBy(trace.grid, losses.input.demand, cell.cell))
+      ++here[numberOf(trace.scene.sources[referenceInstance(reference)])].lost;
+    for (auto& [number, lost] : here) {
+      const auto cost = rays.find({number, cellIndex(trace.grid.parameters, cell.cell)});
+      lost.cell = cell.cell;
+      lost.rays = cost == rays.end() ? 0 : cost->second;
+      std::vector<GroupCell>& where = std::ranges::lower_bound(groups, number, {}, &GroupLoss::index)->where;
+      where.insert(std::ranges::upper_bound(where, lost, costsMore), lost);
+      if (where.size() > kMostGroupCells) where.pop_back();
+    }
+  }
+}
+
+std::vector<GroupLoss> listGroups(const Losses& losses, std::span<const RayTruth> truths, GroupNumber numberOf) {
+  std::vector<GroupLoss> groups = sumGroups(losses, truths, numberOf);
+  placeLosses(losses, truths, numberOf, groups);
+  return groups;
 }
 
 template <typename Loss>
@@ -118,8 +165,8 @@ Ledger makeLedger(const TruthInput& input, std::span<const RayTruth> truths) {
   losses.addAllCells();
   losses.chargeRays(truths);
   Ledger ledger;
-  ledger.instances = sumGroups(losses, truths, [](const InstanceSource& source) { return source.sceneInstance; });
-  ledger.meshes = sumGroups(losses, truths, [](const InstanceSource& source) { return source.mesh; });
+  ledger.instances = listGroups(losses, truths, [](const InstanceSource& source) { return source.sceneInstance; });
+  ledger.meshes = listGroups(losses, truths, [](const InstanceSource& source) { return source.mesh; });
   ledger.cells = std::move(losses.cells);
   ledger.triangles = std::move(losses.triangles);
   return ledger;

@@ -22,7 +22,15 @@ struct TriangleLoss {
   uint32_t reference = kBlank;
   uint32_t stored = 0;                 // cells that hold it
   uint32_t lost = 0;                   // cells that refused it
-  uint32_t rays = 0;                   // rays that should have hit it and do not agree
+  uint32_t rays = 0;                   // rays that should have hit it and do not agree, whatever the cause
+  uint32_t lostRays = 0;               // of these, by its lost references: refused or gate
+};
+
+// A cell that lost references of a group.
+struct GroupCell {
+  ivec3 cell{0};
+  uint32_t lost = 0;                   // references
+  uint32_t rays = 0;                   // that this cost: of the group's lostRays, those whose event took place here
 };
 
 // Sums over an instance's, or a mesh's, triangles.
@@ -32,8 +40,12 @@ struct GroupLoss {
   uint64_t stored = 0;
   uint64_t lost = 0;
   uint64_t rays = 0;
-  std::array<uint64_t, kVerdictCount> verdicts{};  // of those rays
+  uint64_t lostRays = 0;
+  std::array<uint64_t, kVerdictCount> verdicts{};  // of the rays
+  std::vector<GroupCell> where;        // the kMostGroupCells cells that cost it the most rays, then lost the most references
 };
+
+inline constexpr size_t kMostGroupCells = 10;
 
 struct Ledger {
   std::vector<CellLoss> cells;         // that were asked to take one or more; x fastest
