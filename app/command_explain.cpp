@@ -121,9 +121,9 @@ int runExplain(const Options& options) {
   printExplain(out, report, names);
   nlohmann::ordered_json json = resultsOf(session, report);
   if (pixel) {
-    const std::string story = plainText(tellRay(report, names, *pixel));
-    std::fprintf(out, "\n%s", story.c_str());
-    json["pixel"] = {{"x", *pixel % report.width}, {"y", *pixel / report.width}, {"story", story}};
+    const ToldRay told = tellRay(report, names, *pixel);
+    std::fprintf(out, "\n%s", plainText(told.story).c_str());
+    json["pixel"] = pixelJson(report, names, told);
   }
   writeJson(options, json);
   const int budgets = judgeBudgets(options, {json});

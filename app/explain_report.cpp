@@ -26,14 +26,14 @@ void printVerdicts(std::FILE* out, const TruthTotals& totals) {
 
 std::vector<std::string> proofCells(const ProofTotals::Count& count) {
   return {grouped(count.alone), grouped(count.chain), grouped(count.total - count.alone - count.chain),
-          percentOf(count.controlConfirmed, count.controlTotal)};
+          percentOf(count.controlConfirmed, count.controlTotal), percentOf(count.controlChained, count.controlTotal)};
 }
 
 void printCauses(std::FILE* out, const ExplainReport& report) {
   const TruthTotals& totals = report.frame.totals;
-  Table table(report.proofs ? "lrrrrrr" : "lrrl");
+  Table table(report.proofs ? "lrrrrrrr" : "lrrl");
   std::vector<std::string> head = {"cause", "rays", "of those that differ"};
-  if (report.proofs) head.insert(head.end(), {"confirmed alone", "as a chain", "not confirmed", "control"});
+  if (report.proofs) head.insert(head.end(), {"confirmed alone", "as a chain", "not confirmed", "control alone", "control"});
   table.add(head);
   for (uint32_t cause = kCauseRefused; cause < kCauseCount; ++cause) {
     if (totals.causes[cause] == 0) continue;
@@ -51,19 +51,20 @@ void printCauses(std::FILE* out, const ExplainReport& report) {
   if (report.proofs) {
     const ProofTotals::Count proven = report.proofs->sum();
     std::fprintf(out,
-                 "%s of the causes confirmed, %s alone; the longest chain has %s links. Control: another ray's event removed instead.\n",
+                 "%s of the causes confirmed, %s alone; the longest chain has %s links. Control: another ray's event of the same cause removed "
+                 "first, alone and then going on as a chain.\n",
                  percentOf(proven.alone + proven.chain, proven.total).c_str(), percentOf(proven.alone, proven.total).c_str(),
                  grouped(report.proofs->mostLinks).c_str());
   }
 }
 
 void printMeshes(std::FILE* out, const ExplainReport& report, const CaptureNames& names) {
-  Table table("rllrrrr");
-  table.add({"rays", "", "mesh", "triangles", "references", "lost", ""});
+  Table table("rlrlrrrr");
+  table.add({"rays", "", "by lost references", "mesh", "triangles", "references", "lost", ""});
   for (size_t i : worstOf(report.ledger.meshes, kMostRows)) {
     const GroupLoss& mesh = report.ledger.meshes[i];
     const bool named = mesh.index < names.meshes.size() && !names.meshes[mesh.index].empty();
-    table.add({grouped(mesh.rays), percentOf(mesh.rays, report.frame.totals.rays),
+    table.add({grouped(mesh.rays), percentOf(mesh.rays, report.frame.totals.rays), grouped(mesh.lostRays),
                named ? names.meshes[mesh.index] : printed("mesh %u", mesh.index), grouped(mesh.triangles), grouped(mesh.stored + mesh.lost),
                grouped(mesh.lost), percentOf(mesh.lost, mesh.stored + mesh.lost)});
   }
@@ -100,14 +101,15 @@ std::string foreignHitsText(uint64_t count) {
   return grouped(count) + " of the capture's hits are not what this trace ends with; they are judged as they are";
 }
 
-std::vector<StoryPart> tellRay(const ExplainReport& report, const CaptureNames& names, uint32_t pixel) {
+ToldRay tellRay(const ExplainReport& report, const CaptureNames& names, uint32_t pixel) {
   const FrameTruth& frame = report.frame;
   const TruthInput input = frame.input();
-  std::optional<Proof> proof;
-  if (report.proofs) proof = proveRay(input, frame.rays[pixel], frame.exact[pixel], frame.truths[pixel]);
-  return tellPixel({.truth = input, .names = names, .pixel = pixel, .width = report.width, .ray = frame.rays[pixel],
-                    .traced = frame.hits[pixel], .exact = frame.exact[pixel], .told = frame.truths[pixel],
-                    .proof = proof ? &*proof : nullptr});
+  ToldRay told{.pixel = pixel};
+  if (report.proofs) told.proof = proveRay(input, frame.rays[pixel], frame.hits[pixel], frame.exact[pixel], frame.truths[pixel]);
+  told.story = tellPixel({.truth = input, .names = names, .pixel = pixel, .width = report.width, .ray = frame.rays[pixel],
+                          .traced = frame.hits[pixel], .exact = frame.exact[pixel], .told = frame.truths[pixel],
+                          .proof = told.proof ? &*told.proof : nullptr});
+  return told;
 }
 
 void printExplain(std::FILE* out, const ExplainReport& report, const CaptureNames& names) {

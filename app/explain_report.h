@@ -27,7 +27,12 @@ struct ExplainReport {
 };
 
 // One ray in sentences, with its proof when proofs were asked for.
-std::vector<StoryPart> tellRay(const ExplainReport& report, const CaptureNames& names, uint32_t pixel);
+struct ToldRay {
+  uint32_t pixel = 0;
+  std::optional<Proof> proof;
+  std::vector<StoryPart> story;
+};
+ToldRay tellRay(const ExplainReport& report, const CaptureNames& names, uint32_t pixel);
 
 // "12 of the capture's hits are not what this trace ends with: they are judged as they are".
 std::string foreignHitsText(uint64_t count);
@@ -38,7 +43,10 @@ void printExplain(std::FILE* out, const ExplainReport& report, const CaptureName
 // Adds wrong, agree, verdicts and causes.
 void addTruthTotals(nlohmann::ordered_json& json, const TruthTotals& totals);
 
-// rays, wrong, agree, verdicts, causes, [confirmed, control,] references, cells, meshes, fullest cells, worst rays, times.
+// One ray: its story, cause, reason, what its cell holds and refused, and each link of its proof.
+nlohmann::ordered_json pixelJson(const ExplainReport& report, const CaptureNames& names, const ToldRay& ray);
+
+// rays, wrong, agree, verdicts, causes, [confirmed, control, controlChain,] references, cells, meshes, fullest cells, worst rays, times.
 nlohmann::ordered_json explainJson(const ExplainReport& report, const CaptureNames& names);
 
 // "references" and "cells" of the JSON of explain and check. What a grid does not count is null.

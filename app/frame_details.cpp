@@ -124,7 +124,7 @@ bool FrameMaker::tellTruth() {
     publish(false);
   }
   if (made_.proveAll != proved_ && made_.proveAll > 0) {
-    ProofTotals totals = proveFrame(input, *current_.exact, *current_.rays, *current_.truths, tell("Proving every cause", 0.0f, 1.0f));
+    ProofTotals totals = proveFrame(input, {*current_.rays, *current_.hits, *current_.exact, *current_.truths}, tell("Proving every cause", 0.0f, 1.0f));
     if (interrupted()) return stopWork();
     proved_ = made_.proveAll;
     current_.proofs = std::make_shared<const ProofTotals>(std::move(totals));
@@ -149,7 +149,7 @@ bool FrameMaker::tellRecorded(const TruthInput& input) {
   RecordedRay told = *record;
   told.exact = (*current_.exact)[record->pixel];
   told.truth = truth;
-  if (prove) told.proof = proveRay(input, told.ray, *told.exact, truth);
+  if (prove) told.proof = proveRay(input, told.ray, (*current_.hits)[record->pixel], *told.exact, truth);
   current_.record = std::make_shared<const RecordedRay>(std::move(told));
   return true;
 }

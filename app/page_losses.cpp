@@ -64,12 +64,12 @@ std::string proofTable(const ProofTotals& proofs) {
 
 // Meshes or instances: which cost the most rays.
 std::string groupTable(const char* caption, const std::vector<GroupLoss>& groups, const std::vector<std::string>& names, const char* kind, uint64_t rays) {
-  PageTable table(caption, "lrrbrrr", {kind, "rays", "of all", "", "triangles", "references lost", "of tried"});
+  PageTable table(caption, "lrrbrrrr", {kind, "rays", "of all", "", "by lost references", "triangles", "references lost", "of tried"});
   const std::vector<size_t> worst = worstOf(groups, kMostRows);
   for (size_t i : worst) {
     const GroupLoss& group = groups[i];
     table.add({nameOr(names, group.index, kind), grouped(group.rays), percentOf(group.rays, rays), PageCell::bar(shareOf(group.rays, groups[worst[0]].rays)),
-               grouped(group.triangles), grouped(group.lost), percentOf(group.lost, group.stored + group.lost)});
+               grouped(group.lostRays), grouped(group.triangles), grouped(group.lost), percentOf(group.lost, group.stored + group.lost)});
   }
   return table.html("None cost a ray.");
 }

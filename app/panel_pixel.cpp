@@ -67,20 +67,23 @@ void drawProof(WindowModel& model, const RecordedRay& ray) {
     whyTooltip("Traces the ray again with this event alone taken away: the cause is proven when it then agrees");
     return;
   }
+  const Proof& proof = *ray.proof;
+  const size_t links = proof.links.size();
+  const char* end = proof.foreign ? "ends as the frame's hit does" : "agrees with the exact hit";
   Sentence sentence;
-  if (ray.proof->confirmed) {
+  if (proof.confirmed) {
     sentence.push_back({.text = "Proven. ", .colour = kColourTriangleHit});
-    const size_t links = ray.proof->links.size();
-    sentence.push_back({.text = links == 1 ? "With this event alone taken away, the ray agrees with the exact hit." : printed("With these %zu events taken away in turn, the ray agrees:", links)});
-    for (size_t i = 0; links > 1 && i < std::min<size_t>(links, 8); ++i) {
-      sentence.push_back({.text = " " + std::string(causeName(ray.proof->links[i].cause).title) + " in "});
-      sentence.push_back({.text = cellNumbers(ray.proof->links[i].cell), .link = SentencePart::Link::cell, .cell = ray.proof->links[i].cell});
-      sentence.push_back({.text = i + 1 == links ? "." : ","});
-    }
-    if (links > 8) sentence.push_back({.text = printed(" and %zu more.", links - 8)});
+    sentence.push_back({.text = links == 1 ? printed("With this event alone taken away, the ray %s.", end)
+                                           : printed("With these %zu events taken away in turn, the ray %s:", links, end)});
   } else {
     sentence.push_back({.text = "Not confirmed. ", .colour = kColourHole});
-    sentence.push_back({.text = "Taking this event away leaves the ray different: " + hitWords(ray.proof->hit) + "."});
+    sentence.push_back({.text = links == 1 ? "Taking this event away leaves the ray different: " + hitWords(proof.hit) + "."
+                                           : printed("Taking these %zu events away leaves the ray different: ", links) + hitWords(proof.hit) + ":"});
+  }
+  for (size_t i = 0; links > 1 && i < links; ++i) {
+    sentence.push_back({.text = " " + std::string(causeName(proof.links[i].cause).title) + " in "});
+    sentence.push_back({.text = cellNumbers(proof.links[i].cell), .link = SentencePart::Link::cell, .cell = proof.links[i].cell});
+    sentence.push_back({.text = i + 1 == links ? "." : ","});
   }
   drawSentenceBox(model, sentence, ray.proof->confirmed ? kColourTriangleHit : kColourHole, "proof");
 }

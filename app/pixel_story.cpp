@@ -7,6 +7,7 @@
 
 #include "app/text.h"
 #include "core/truth_cause.h"
+#include "core/truth_reason.h"
 
 namespace gridscope {
 
@@ -14,9 +15,6 @@ namespace {
 
 // The slots of a cell are told by mesh, the most first; more meshes than these are summed up.
 constexpr size_t kMostMeshesTold = 5;
-
-// Links of a proof told one by one; of a longer chain the rest is counted.
-constexpr size_t kMostLinksTold = 8;
 
 // Puts parts together.
 class StoryWriter {
@@ -36,19 +34,15 @@ class StoryWriter {
   }
   StoryWriter& triangle(uint32_t reference) {
     const std::string name =
-        known(reference) ? printed("triangle %u", nameTriangle(scene(), reference).triangle) : printed("0x%08X", reference);
+        isTriangleOf(scene(), reference) ? printed("triangle %u", nameTriangle(scene(), reference).triangle) : printed("0x%08X", reference);
     add({.kind = StoryPart::Kind::triangle, .text = name, .reference = reference});
-    return known(reference) ? text(" of ").mesh(reference) : text(", which is no triangle of the scene");
+    return isTriangleOf(scene(), reference) ? text(" of ").mesh(reference) : text(", which is no triangle of the scene");
   }
   StoryWriter& end() { return text("\n"); }
   std::vector<StoryPart> take() { return std::move(parts_); }
 
  private:
   const NumberedScene& scene() const { return input_.truth.trace.scene; }
-  bool known(uint32_t reference) const {
-    return referenceInstance(reference) < scene().instanceCount() &&
-           referenceTriangle(reference) < scene().instances[referenceInstance(reference)].triangleCount;
-  }
   StoryWriter& add(StoryPart part) {
     parts_.push_back(std::move(part));
     return *this;
@@ -139,6 +133,8 @@ struct Teller {
 
   void tellCause() {
     story.text("Cause: ").text(std::string(causeName(told.cause).title)).text(". ").text(std::string(causeName(told.cause).about));
+    const TruthReason reason = reasonOf(truth, input.ray, told);
+    if (!reason.about.empty()) story.text(" ").text(std::string(reason.about));
     if (gridContains(grid.parameters, told.cell)) story.text(" It took place in ").cell(told.cell);
     if (told.segment >= 0) story.text(gridContains(grid.parameters, told.cell) ? ", " : " It took place in ").step(told.segment, told.cell);
     if (told.reference != kBlank) story.text(", and is about ").triangle(told.reference);
@@ -149,23 +145,37 @@ struct Teller {
     tellSlots(told.cell);
   }
 
+  // Without the links.
+  static std::string proofText(const Proof& proof) {
+    const char* end = proof.foreign ? "the ray ends as the frame's hit does" : "the ray agrees";
+    const char* other = proof.foreign ? "the ray does not end as the frame's hit does" : "the ray does not agree";
+    const char* taken = proof.foreign ? "with that rule changed" : "without that event";
+    const char* all = proof.foreign ? "rules changed" : "events taken away";
+    const size_t links = proof.links.size();
+    if (proof.confirmed && links == 1) return printed("Proof: traced again %s alone, %s", taken, end);
+    if (proof.confirmed) return printed("Proof: with these %zu %s, one after the other, %s", links, all, end);
+    return links == 1 ? printed("Not confirmed: traced again %s, %s", taken, other) : printed("Not confirmed: with these %zu %s %s", links, all, other);
+  }
+
   void tellProof() {
     if (!input.proof || input.proof->links.empty()) return;
-    const std::vector<ProofLink>& links = input.proof->links;
-    if (input.proof->confirmed && links.size() == 1)
-      return void(story.text("Proof: traced again without that event alone, the ray agrees.").end());
-    story.text(input.proof->confirmed ? "Proof: without these events, one after the other, the ray agrees: "
-                                      : "Not confirmed: even without these events the ray does not agree: ");
-    for (size_t i = 0; i < std::min(links.size(), kMostLinksTold); ++i) {
-      story.text(i == 0 ? "" : "; ").text(std::string(causeName(links[i].cause).title));
+    const std::vector<TruthEvent>& links = input.proof->links;
+    story.text(proofText(*input.proof));
+    if (links.size() == 1 && input.proof->confirmed) return void(story.text(".").end());
+    for (size_t i = 0; i < links.size(); ++i) {
+      story.text(i == 0 ? ": " : "; ").text(std::string(causeName(links[i].cause).title));
       if (gridContains(grid.parameters, links[i].cell)) story.text(" in ").cell(links[i].cell);
     }
-    if (links.size() > kMostLinksTold) story.text(printed("; and %zu more", links.size() - kMostLinksTold));
     story.text(".").end();
   }
 };
 
 }  // namespace
+
+bool isTriangleOf(const NumberedScene& scene, uint32_t reference) {
+  return referenceInstance(reference) < scene.instanceCount() &&
+         referenceTriangle(reference) < scene.instances[referenceInstance(reference)].triangleCount;
+}
 
 std::string meshText(const NumberedScene& scene, const CaptureNames& names, uint32_t reference) {
   if (referenceInstance(reference) >= scene.instanceCount()) return printed("0x%08X", reference);

@@ -41,6 +41,9 @@ std::vector<StoryPart> tellPixel(const StoryInput& input);
 // The first sentence alone: verdict and cause.
 std::vector<StoryPart> tellVerdict(const StoryInput& input);
 
+// Is it a reference to a triangle that the scene has? A damaged grid may hold others.
+bool isTriangleOf(const NumberedScene& scene, uint32_t reference);
+
 // What a person calls the mesh that a reference's triangle belongs to.
 std::string meshText(const NumberedScene& scene, const CaptureNames& names, uint32_t reference);
 

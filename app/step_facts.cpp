@@ -6,6 +6,7 @@
 #include "app/find_next.h"
 #include "app/text.h"
 #include "core/trace_loads.h"
+#include "core/truth_cause.h"
 
 namespace gridscope {
 
@@ -56,11 +57,6 @@ float stepEnd(FrameTrace& trace, const FrameSnapshot& frame, const Ray& ray, con
   const vec3 inverse(trace.inverseOrZero(ray.direction.x), trace.inverseOrZero(ray.direction.y), trace.inverseOrZero(ray.direction.z));
   int axis;
   return trace.leaveCell(grid, ray, step.cell, inverse, axis);
-}
-
-vec2 stepWindow(const TraceParameters& trace, const StepRecord& step) {
-  if (trace.traversal == kTraversalDda) return vec2(trace.tMin, kFar);
-  return vec2(std::max(trace.tMin, step.start - trace.back), step.start + trace.ahead);
 }
 
 void addTests(StepFacts& facts, FrameTrace& trace, const FrameSnapshot& frame, const RecordedRay& ray) {

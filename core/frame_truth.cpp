@@ -46,7 +46,7 @@ FrameTruth tellFrame(Pipeline& pipeline, const TruthProgress& progress) {
 }
 
 ProofTotals proveFrame(const FrameTruth& frame, const TruthProgress& progress) {
-  return proveFrame(frame.input(), frame.exact, frame.rays, frame.truths, progress);
+  return proveFrame(frame.input(), {frame.rays, frame.hits, frame.exact, frame.truths}, progress);
 }
 
 float distanceOff(const FrameTruth& frame, uint32_t ray) {

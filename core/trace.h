@@ -30,6 +30,7 @@ struct TestRecord {
   uint32_t verdict;         // kTest...
   float t;                  // where the ray passes through the triangle
   uint32_t alphaByte;       // byte read by alpha keying; 256: not keyed or not asked
+  bool operator==(const TestRecord&) const = default;
 };
 
 // One segment (dda: one cell) of a recorded ray.
@@ -42,6 +43,7 @@ struct StepRecord {
   int32_t stored = 0;       // references read
   bool saturated = false;
   float travel = 0.0f;      // what the gate compares, world units
+  bool operator==(const StepRecord&) const = default;
 };
 
 struct RayRecord {

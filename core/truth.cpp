@@ -55,6 +55,26 @@ bool forRays(size_t count, const TruthProgress& progress, const std::function<vo
   return !abandoned;
 }
 
+// Causes that say how a ray ended, not only where a surface was lost.
+bool endsRay(uint32_t cause) { return cause == kCauseFilledEarly || cause == kCauseAcceptedEarly || cause == kCauseSegmentLimit; }
+
+// The ray's record says what happened, where it ends as the hit does or at least is as wrong. Otherwise the hit was made by other rules, and
+// is asked itself; then the record, for what it says about the surface and not about its own end.
+TruthEvent firstEventOf(const TruthInput& input, const Ray& ray, const Hit& traced, const Hit& exact, uint32_t verdict) {
+  const GridParameters& grid = input.trace.grid.parameters;
+  const RayRecord record = recordRay(input.trace, ray);
+  const uint32_t recorded = judge(record.hit, exact, grid);
+  const bool alike = endsAlike(traced, record.hit, grid);
+  if (alike || recorded == verdict) {
+    const TruthEvent event = findEvent(input, ray, record, exact);
+    if (alike || event.cause != kCauseNumeric) return event;
+  }
+  const TruthEvent foreign = findForeignEvent(input, ray, traced, exact);
+  if (foreign.cause != kCauseNumeric || recorded == kVerdictAgrees) return foreign;
+  const TruthEvent event = findEvent(input, ray, record, exact);
+  return endsRay(event.cause) ? foreign : event;
+}
+
 }  // namespace
 
 const TruthName& verdictName(uint32_t verdict) {
@@ -68,7 +88,7 @@ const TruthName& causeName(uint32_t cause) {
 }
 
 uint32_t judge(const Hit& traced, const Hit& exact, const GridParameters& grid) {
-  if (traced.kind == kHitNoRay || exact.kind == kHitNoRay) return kVerdictNoRay;
+  if (exact.kind == kHitNoRay) return kVerdictNoRay;
   const bool surface = exact.kind == kHitTriangle;
   const float error = traced.t - exact.t;
   if (traced.kind == kHitVoxel)
@@ -77,6 +97,13 @@ uint32_t judge(const Hit& traced, const Hit& exact, const GridParameters& grid) 
   if (!surface) return kVerdictTooNear;
   if (std::abs(error) <= kAgreement * grid.cellEdge) return kVerdictAgrees;
   return error > 0.0f ? kVerdictTooFar : kVerdictTooNear;
+}
+
+bool endsAlike(const Hit& traced, const Hit& recorded, const GridParameters& grid) {
+  const auto kindOf = [](const Hit& hit) { return hit.kind == kHitNoRay ? kHitMiss : hit.kind; };
+  if (kindOf(traced) != kindOf(recorded)) return false;
+  const bool hits = traced.kind == kHitTriangle || traced.kind == kHitVoxel;
+  return !hits || std::abs(traced.t - recorded.t) <= kAgreement * grid.cellEdge;
 }
 
 ivec3 hitCell(const GridParameters& grid, const Ray& ray, const Hit& hit) { return gridCell(grid, rayPoint(ray, hit.t)); }
@@ -95,12 +122,7 @@ RayTruth explainRay(const TruthInput& input, const Ray& ray, const Hit& traced, 
   if (hits && exact.kind == kHitTriangle) truth.error = (traced.t - exact.t) / grid.cellEdge;
   if (truth.verdict == kVerdictAgrees) return truth;
 
-  // The record says what happened, where it is of the trace that made the hit.
-  const RayRecord record = recordRay(input.trace, ray);
-  const bool own = record.hit.kind == traced.kind && record.hit.t == traced.t && record.hit.reference == traced.reference;
-  TruthEvent event = own ? findEvent(input, ray, record, exact) : findForeignEvent(input, ray, traced, exact);
-  if (!own && event.cause == kCauseNumeric && judge(record.hit, exact, grid) != kVerdictAgrees)
-    event = findEvent(input, ray, record, exact);
+  const TruthEvent event = firstEventOf(input, ray, traced, exact, truth.verdict);
   truth.cause = event.cause;
   truth.cell = event.cell;
   truth.reference = event.reference;

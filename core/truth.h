@@ -33,8 +33,12 @@ struct TruthName {
 const TruthName& verdictName(uint32_t verdict);   // kVerdict...
 const TruthName& causeName(uint32_t cause);       // kCause...
 
-// kVerdict... of a ray whose hits are these.
+// kVerdict... of a ray whose hits are these. Whether there is a ray the exact hit says: a traced hit that denies it is a miss.
 uint32_t judge(const Hit& traced, const Hit& exact, const GridParameters& grid);
+
+// Does a hit end a ray as this trace does: in the same way, and within kAgreement of the distance? Then the ray's record tells of it, even
+// where another device's or another program's rounding made it.
+bool endsAlike(const Hit& traced, const Hit& recorded, const GridParameters& grid);
 
 // Verdict, cause and evidence of one ray.
 RayTruth explainRay(const TruthInput& input, const Ray& ray, const Hit& traced, const Hit& exact);

@@ -29,12 +29,6 @@ bool anyHit(const StepRecord& step) {
   return std::ranges::any_of(step.tests, [](const TestRecord& test) { return test.verdict == kTestHit; });
 }
 
-const Triangle& triangleOf(const TraceInput& input, uint32_t reference) {
-  return input.worldTriangles[input.scene.instances[referenceInstance(reference)].firstWorldTriangle + referenceTriangle(reference)];
-}
-
-bool isDegenerate(const TraceInput& input, uint32_t reference) { return triangleDegenerate(triangleNormal(triangleOf(input, reference))); }
-
 // Reads one record against the exact hit.
 struct Reading {
   const TruthInput& input;
@@ -60,7 +54,9 @@ struct Reading {
   bool dda() const { return trace.traversal == kTraversalDda; }
   bool endedIn(const StepRecord& step, uint32_t kind) const { return record.hit.kind == kind && &step == &record.steps.back(); }
 
-  TruthEvent at(uint32_t cause, const StepRecord& step, uint32_t reference) const { return {cause, step.cell, reference, step.segment}; }
+  TruthEvent at(uint32_t cause, const StepRecord& step, uint32_t reference) const {
+    return {cause, step.cell, reference, step.segment, step.start};
+  }
 
   // Was the surface looked for in a cell that it lies in?
   bool isHomeStep(const StepRecord& step) const {
@@ -95,7 +91,9 @@ struct Reading {
     if (rightlyRefused(step)) return at(heldBack(step) ? kCauseGate : kCauseRefused, step, reference);
     const bool intruder = std::ranges::any_of(step.tests, [&](const TestRecord& test) { return isLeftBehind(step.cell, test.reference); });
     const bool missed = step.stored < grid.capacity && reference >= firstDynamicReference(grid);
-    return at(intruder || missed ? kCauseStale : kCauseNotInserted, step, reference);
+    if (intruder || missed) return at(kCauseStale, step, reference);
+    // With room, and without this tool's counts: another builder's overlap test may have turned it down.
+    return at(grid.reserved == 2 ? kCauseNotInserted : kCauseLeftOut, step, reference);
   }
 
   // The cell was asked, and the hit lay outside the window.
@@ -117,17 +115,10 @@ struct Reading {
     return {};
   }
 
-  // A triangle was hit before the exact hit, or where there is none.
+  // A triangle was hit before the exact hit, or where there is none: both apply the same test to the same triangles.
   TruthEvent hitTooNear() const {
-    const uint32_t reference = record.hit.reference;
-    for (const StepRecord& step : record.steps) {
-      const TestRecord* test = findTest(step, reference);
-      if (!test || test->verdict != kTestHit) continue;
-      if (isDegenerate(input.trace, reference)) return at(kCauseLeftOut, step, reference);
-      if (record.hit.t < trace.tMin) return at(kCauseSelfHit, step, reference);
-      return at(isLeftBehind(step.cell, reference) ? kCauseStale : kCauseNumeric, step, reference);
-    }
-    return {.cause = kCauseNumeric, .reference = reference};
+    if (record.steps.empty()) return {.reference = record.hit.reference};
+    return at(kCauseNumeric, record.steps.back(), record.hit.reference);
   }
 
   // The ray ended in its last step before it came to the surface.
@@ -144,10 +135,10 @@ struct Reading {
   TruthEvent neverAsked() const {
     const bool ended = record.hit.kind == kHitTriangle || record.hit.kind == kHitVoxel || record.hit.kind == kHitLimit;
     if (ended && !record.steps.empty() && record.steps.back().start <= exact.t) return endedEarly();
-    if (!gridContains(grid, home)) return {.cause = kCauseOutside, .reference = exact.reference};
+    if (!gridContains(grid, home)) return {.cause = kCauseOutside, .reference = exact.reference, .along = exact.t};
     TruthEvent event{.cause = dda() ? kCauseNumeric : kCauseSteppedOver, .cell = home, .reference = exact.reference};
     for (const StepRecord& step : record.steps)
-      if (step.start <= exact.t) event.segment = step.segment;
+      if (step.start <= exact.t) event.segment = step.segment, event.along = step.start;
     return event;
   }
 
@@ -183,11 +174,15 @@ struct AlphaRead {
 AlphaRead readAlpha(const TraceInput& input, const Ray& ray, const Hit& hit) {
   AlphaTrace loads(input);
   AlphaRead read{};
-  read.passes = loads.alphaPasses(hit.reference, triangleOf(input, hit.reference), rayPoint(ray, hit.t), read.byte);
+  read.passes = loads.alphaPasses(hit.reference, referencedTriangle(input, hit.reference), rayPoint(ray, hit.t), read.byte);
   return read;
 }
 
 }  // namespace
+
+const Triangle& referencedTriangle(const TraceInput& input, uint32_t reference) {
+  return input.worldTriangles[input.scene.instances[referenceInstance(reference)].firstWorldTriangle + referenceTriangle(reference)];
+}
 
 vec2 cellStay(const GridParameters& grid, const Ray& ray, ivec3 cell) {
   double low = 0.0, high = kFar;
@@ -210,21 +205,20 @@ TruthEvent findEvent(const TruthInput& input, const Ray& ray, const RayRecord& r
   return Reading{input, ray, record, exact}.firstEvent();
 }
 
-TruthEvent findForeignEvent(const TruthInput& input, const Ray& ray, const Hit& traced, const Hit& exact) {
+TruthEvent findForeignEvent(const TruthInput& input, const Ray& ray, const Hit& traced, const Hit& ruled) {
   const GridParameters& grid = input.trace.grid.parameters;
-  const auto atHit = [&](uint32_t cause, const Hit& hit) { return TruthEvent{cause, hitCell(grid, ray, hit), hit.reference, -1}; };
+  const auto atHit = [&](uint32_t cause, const Hit& hit) { return TruthEvent{cause, hitCell(grid, ray, hit), hit.reference, -1, hit.t}; };
 
   // A hit that this trace would not accept.
   if (traced.kind == kHitTriangle) {
-    if (isDegenerate(input.trace, traced.reference)) return atHit(kCauseLeftOut, traced);
     if (traced.t < input.trace.parameters.tMin) return atHit(kCauseSelfHit, traced);
     if (!readAlpha(input.trace, ray, traced).passes) return atHit(kCauseAlpha, traced);
   }
 
   // A surface that it did not accept: keyed, or so near that another tMin hides it.
-  if (exact.kind != kHitTriangle) return {};
-  if (readAlpha(input.trace, ray, exact).byte <= 255u) return atHit(kCauseAlpha, exact);
-  if (exact.t < grid.cellEdge) return atHit(kCauseSelfHit, exact);
+  if (ruled.kind != kHitTriangle) return {};
+  if (readAlpha(input.trace, ray, ruled).byte <= 255u) return atHit(kCauseAlpha, ruled);
+  if (ruled.t < grid.cellEdge) return atHit(kCauseSelfHit, ruled);
   return {};
 }
 

@@ -12,14 +12,21 @@ struct TruthEvent {
   ivec3 cell{-1};                      // where it took place; (-1, -1, -1): nowhere in the grid
   uint32_t reference = kBlank;         // that it is about
   int32_t segment = -1;                // at which it took place (StepRecord::segment)
-  bool operator==(const TruthEvent&) const = default;
+  float along = 0.0f;                  // where it took place along the ray, world units: the start of that step. A finding, no part of what it is
+  bool operator==(const TruthEvent& other) const {
+    return cause == other.cause && cell == other.cell && reference == other.reference && segment == other.segment;
+  }
 };
 
 // The first event in a record whose end does not agree with `exact`. The record may be an edited trace's.
 TruthEvent findEvent(const TruthInput& input, const Ray& ray, const RayRecord& record, const Hit& exact);
 
-// The event of a ray whose hit is not what its own record ends with: traced elsewhere, by other rules.
-TruthEvent findForeignEvent(const TruthInput& input, const Ray& ray, const Hit& traced, const Hit& exact);
+// The rule by which a hit that was traced elsewhere differs from one under this trace's rules (the exact hit, or its own record's): alpha or
+// self-hit; otherwise numeric.
+TruthEvent findForeignEvent(const TruthInput& input, const Ray& ray, const Hit& traced, const Hit& ruled);
+
+// The triangle of a reference that the scene has.
+const Triangle& referencedTriangle(const TraceInput& input, uint32_t reference);
 
 // Where a ray enters and leaves a cell: low > high when it misses it.
 vec2 cellStay(const GridParameters& grid, const Ray& ray, ivec3 cell);

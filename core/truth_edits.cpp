@@ -9,10 +9,13 @@
 //   filled early                            that cell's gap is not filled
 //   outside                                 the triangle is tried where the ray is outside the grid
 //   segment limit                           there is none
-//   alpha, self-hit                         nothing: the hit was made by other rules, and the trace applies its own
+//   alpha                                   keying decides the other way about that reference
+//   self-hit                                another tMin: one at which that reference, if it was too near, counts, or is too near, if it counted
+//   numeric                                 nothing
 #include "core/truth_edits.h"
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "core/trace_loads.h"
@@ -38,6 +41,8 @@ struct Edits {
   std::vector<ivec3> inserted;         // stepped over
   std::vector<int32_t> unskipped;      // revisit: segments
   std::vector<uint32_t> outside;       // references
+  std::vector<uint32_t> inverted;      // alpha: references
+  std::vector<uint32_t> otherTMin;     // self-hit: references
   bool unlimited = false;
 };
 
@@ -76,15 +81,29 @@ void addEdit(Edits& edits, const Grid& grid, const TruthEvent& event) {
     case kCauseGate: return edits.opened.push_back(event.cell);
     case kCauseFilledEarly: return edits.unfilled.push_back(event.cell);
     case kCauseOutside: return edits.outside.push_back(event.reference);
+    case kCauseAlpha: return edits.inverted.push_back(event.reference);
+    case kCauseSelfHit: return edits.otherTMin.push_back(event.reference);
     case kCauseSegmentLimit: edits.unlimited = true; return;
     default: return;
   }
+}
+
+// The nearest distance that counts, where those references are on its other side.
+float otherTMin(const TraceInput& input, const Ray& ray, const Edits& edits) {
+  float tMin = input.parameters.tMin;
+  for (uint32_t reference : edits.otherTMin) {
+    const TriangleTest test = testTriangle(ray, referencedTriangle(input, reference), -kFar, kFar);
+    if (test.verdict != kTestHit) continue;
+    tMin = test.t < tMin ? test.t : std::nextafter(test.t, kFar);
+  }
+  return tMin;
 }
 
 #define SLOT_COUNT(cell) slotCount(grid, cell)
 #define SLOT_LOAD(cell, slot) shownReference(cell, slot)
 #define SLOTS_STORED(cell, count) storedCount(cell, count)
 #define QUERY_WINDOW(cell, window) queryWindow(ray, cell, window)
+#define ALPHA_PASSES(reference, passes) (contains(edits_.inverted, reference) != (passes))
 #define EDIT_CELL_HIT(state, best) \
   if (contains(edits_.unaccepted, state.cell)) best.t = state.t, best.reference = state.reference;
 #define GATE_OPEN(cell, open) gateOpen(cell, open)
@@ -198,6 +217,7 @@ RayRecord recordWithout(const TraceInput& input, const Ray& ray, std::span<const
   for (const TruthEvent& event : removed) addEdit(edits, input.grid, event);
   TraceInput edited = input;
   if (edits.unlimited) edited.parameters.maxSegments = 0x40000000u;
+  edited.parameters.tMin = otherTMin(input, ray, edits);
 
   EditedTrace trace(edited, ray, edits);
   trace.record.hit = traceAllPasses(trace, edited, ray);

@@ -28,7 +28,8 @@ struct RayProof {
   uint16_t links = 0;                  // of a confirmed proof
   bool confirmed = false;
   bool controlled = false;             // there was another ray to draw from
-  bool controlConfirmed = false;
+  bool controlAlone = false;
+  bool controlConfirmed = false;       // alone or as a chain
 };
 
 // The rays of each cause, rising.
@@ -39,23 +40,71 @@ std::array<std::vector<uint32_t>, kCauseCount> raysByCause(std::span<const RayTr
   return rays;
 }
 
+bool sameHit(const Hit& a, const Hit& b) { return a.kind == b.kind && a.t == b.t && a.reference == b.reference; }
+
+// Where along the ray a record departs from the one before it: the start of its first step that is another one; where one just goes on
+// longer, or only the hit is another one, of the last step that both have. kFar: nowhere.
+float departure(const RayRecord& before, const RayRecord& after) {
+  const auto [one, other] = std::ranges::mismatch(before.steps, after.steps);
+  const bool oneEnds = one == before.steps.end(), otherEnds = other == after.steps.end();
+  if (oneEnds && otherEnds && sameHit(before.hit, after.hit)) return kFar;
+  if (!oneEnds && !otherEnds) return std::min(one->start, other->start);
+  return other == after.steps.begin() ? 0.0f : std::prev(other)->start;
+}
+
+// What one ray's proof is after. Of a hit of this trace: that the ray agrees; the next event is the edited record's. Of a foreign hit: that
+// the trace ends with it; the next event is the next rule by which the two differ.
+struct Prover {
+  const TruthInput& input;
+  const Ray& ray;
+  const Hit& traced;
+  const Hit& exact;
+  const RayRecord own = recordRay(input.trace, ray);
+  const bool foreign = !endsAlike(traced, own.hit, input.trace.grid.parameters);
+
+  bool reached(const RayRecord& record) const {
+    const GridParameters& grid = input.trace.grid.parameters;
+    return foreign ? endsAlike(traced, record.hit, grid) : judge(record.hit, exact, grid) == kVerdictAgrees;
+  }
+  TruthEvent firstEvent(const RayRecord& record) const {
+    return foreign ? findForeignEvent(input, ray, traced, record.hit) : findEvent(input, ray, record, exact);
+  }
+  // Only rules can make a foreign hit again.
+  bool canRemove(const TruthEvent& event) const {
+    if (event.cause == kCauseNumeric) return false;
+    return !foreign || event.cause == kCauseAlpha || event.cause == kCauseSelfHit;
+  }
+  // An event that was removed must be gone: what comes first then is another one, and not earlier than where the ray went another way.
+  bool follows(const TruthEvent& next, const TruthEvent& before, float departed) const {
+    return next != before && (foreign || next.along >= departed);
+  }
+
+  Proof prove(const TruthEvent& given) const {
+    Proof proof{.confirmed = false, .foreign = foreign, .links = {given}, .hit = own.hit};
+    RayRecord record = own;
+    TruthEvent first = firstEvent(record);
+    while (canRemove(proof.links.back())) {
+      RayRecord edited = recordWithout(input.trace, ray, proof.links);
+      const float departed = departure(record, edited);
+      if (departed == kFar) break;
+      proof.hit = edited.hit;
+      proof.confirmed = reached(edited);
+      if (proof.confirmed || proof.links.size() == kMostProofLinks) break;
+      const TruthEvent next = firstEvent(edited);
+      if (!follows(next, first, departed) || std::ranges::find(proof.links, next) != proof.links.end()) break;
+      proof.links.push_back(next);
+      record = std::move(edited);
+      first = next;
+    }
+    return proof;
+  }
+};
+
 }  // namespace
 
-Proof proveRay(const TruthInput& input, const Ray& ray, const Hit& exact, const RayTruth& truth) {
-  Proof proof;
-  if (truth.cause == kCauseNone) return proof;
-  std::vector<TruthEvent> removed;
-  TruthEvent next = eventOf(truth);
-  while (removed.size() < kMostProofLinks && std::ranges::find(removed, next) == removed.end()) {
-    removed.push_back(next);
-    proof.links.push_back({next.cause, next.cell, next.reference, next.segment});
-    const RayRecord record = recordWithout(input.trace, ray, removed);
-    proof.hit = record.hit;
-    proof.confirmed = judge(record.hit, exact, input.trace.grid.parameters) == kVerdictAgrees;
-    if (proof.confirmed) break;
-    next = findEvent(input, ray, record, exact);
-  }
-  return proof;
+Proof proveRay(const TruthInput& input, const Ray& ray, const Hit& traced, const Hit& exact, const RayTruth& truth) {
+  if (truth.cause == kCauseNone) return {};
+  return Prover{input, ray, traced, exact}.prove(eventOf(truth));
 }
 
 ProofTotals::Count ProofTotals::sum() const {
@@ -65,20 +114,17 @@ ProofTotals::Count ProofTotals::sum() const {
     sum.chain += count.chain;
     sum.total += count.total;
     sum.controlConfirmed += count.controlConfirmed;
+    sum.controlChained += count.controlChained;
     sum.controlTotal += count.controlTotal;
   }
   return sum;
 }
 
-ProofTotals proveFrame(const TruthInput& input, const ExactReference& exact, std::span<const Ray> rays, std::span<const RayTruth> truths,
-                       const TruthProgress& progress) {
-  return proveFrame(input, exact.trace(rays), rays, truths, progress);
-}
-
-ProofTotals proveFrame(const TruthInput& input, std::span<const Hit> exact, std::span<const Ray> rays, std::span<const RayTruth> truths,
-                       const TruthProgress& progress) {
-  CHECK_EQ(truths.size(), rays.size());
-  CHECK_EQ(exact.size(), rays.size());
+ProofTotals proveFrame(const TruthInput& input, const ProofRays& frame, const TruthProgress& progress) {
+  const std::span<const RayTruth> truths = frame.truths;
+  CHECK_EQ(truths.size(), frame.rays.size());
+  CHECK_EQ(frame.hits.size(), frame.rays.size());
+  CHECK_EQ(frame.exact.size(), frame.rays.size());
   const auto byCause = raysByCause(truths);
   std::vector<uint32_t> todo;
   for (uint32_t i = 0; i < truths.size(); ++i)
@@ -92,17 +138,18 @@ ProofTotals proveFrame(const TruthInput& input, std::span<const Hit> exact, std:
     if (abandoned) return;
     for (size_t i = begin; i < end; ++i) {
       const uint32_t ray = todo[i];
-      const Proof proof = proveRay(input, rays[ray], exact[ray], truths[ray]);
+      const Prover prover{input, frame.rays[ray], frame.hits[ray], frame.exact[ray]};
+      const Proof proof = prover.prove(eventOf(truths[ray]));
       proofs[i].confirmed = proof.confirmed;
       proofs[i].links = uint16_t(proof.links.size());
       const std::vector<uint32_t>& others = byCause[truths[ray].cause];
       if (others.size() < 2) continue;
       uint32_t other = others[draw(ray, uint32_t(others.size() - 1))];
       if (other == ray) other = others.back();
-      const TruthEvent drawn = eventOf(truths[other]);
+      const Proof control = prover.prove(eventOf(truths[other]));
       proofs[i].controlled = true;
-      const Hit hit = recordWithout(input.trace, rays[ray], {&drawn, 1}).hit;
-      proofs[i].controlConfirmed = judge(hit, exact[ray], input.trace.grid.parameters) == kVerdictAgrees;
+      proofs[i].controlConfirmed = control.confirmed;
+      proofs[i].controlAlone = control.confirmed && control.links.size() == 1;
     }
     done += end - begin;
     if (progress && !progress(float(done) / float(todo.size()))) abandoned = true;
@@ -117,7 +164,8 @@ ProofTotals proveFrame(const TruthInput& input, std::span<const Hit> exact, std:
     count.alone += proof.confirmed && proof.links == 1 ? 1 : 0;
     count.chain += proof.confirmed && proof.links > 1 ? 1 : 0;
     count.controlTotal += proof.controlled ? 1 : 0;
-    count.controlConfirmed += proof.controlConfirmed ? 1 : 0;
+    count.controlConfirmed += proof.controlAlone ? 1 : 0;
+    count.controlChained += proof.controlConfirmed ? 1 : 0;
     if (proof.confirmed) totals.mostLinks = std::max<uint64_t>(totals.mostLinks, proof.links);
     else totals.notConfirmed.push_back(todo[i]);
   }

@@ -12,7 +12,7 @@ namespace {
 
 std::vector<StoryPart> storyOf(const ToldScene& told, const CaptureNames& names, bool proven = true) {
   const TruthInput input = told.input();
-  const Proof proof = proveRay(input, told.rays[0], told.exact[0], told.truths[0]);
+  const Proof proof = proveRay(input, told.rays[0], told.hits[0], told.exact[0], told.truths[0]);
   return tellPixel({.truth = input, .names = names, .pixel = 0, .width = 5, .ray = told.rays[0], .traced = told.hits[0],
                     .exact = told.exact[0], .told = told.truths[0], .proof = proven ? &proof : nullptr});
 }
@@ -51,8 +51,43 @@ TEST(PixelStory, AGateIsToldWithTheWayFromTheLaunchingSurfaceAndItsProofAsAChain
   scene.rays = rayBundle(vec3(0.0f, 1.0f, 0.0f));
   const std::string text = plainText(storyOf(ToldScene(scene), kNames));
   for (const char* piece : {"hole, gate in cell", "leaves the grid", "0 cell edges from the plane", "beyond 1.75 cell edges",
-                            "one after the other, the ray agrees: gate in cell"})
+                            "with these 2 events taken away, one after the other, the ray agrees: gate in cell (6, 3, 3); refused in cell (6, 3, 3)."})
     EXPECT_NE(text.find(piece), std::string::npos) << piece << "\n" << text;
+}
+
+TEST(PixelStory, EveryLinkOfALongChainIsTold) {
+  // Ten full cells before the panel, each of which fills its gap.
+  TruthScene scene{.scene = emptyScene(), .rays = rayBundle(), .grid = unitCells(2)};
+  scene.grid.bounds = Bounds{.low = vec3(0.0f), .high = vec3(16.0f, 4.0f, 4.0f)};
+  for (int x = 3; x < 13; ++x) placeMesh(scene.scene, addMesh(scene.scene, meshOf(clutterAt(float(x)))));
+  placeMesh(scene.scene, addMesh(scene.scene, meshOf({panelAt(14.5f)})));
+  const ToldScene told(scene);
+  const Proof proof = proveRay(told.input(), told.rays[0], told.hits[0], told.exact[0], told.truths[0]);
+  ASSERT_TRUE(proof.confirmed);
+  ASSERT_EQ(proof.links.size(), 10u);
+  const std::string text = plainText(storyOf(told, kNames));
+  EXPECT_NE(text.find("with these 10 events taken away"), std::string::npos) << text;
+  for (const TruthEvent& link : proof.links)
+    EXPECT_NE(text.find("filled early in cell (" + std::to_string(link.cell.x)), std::string::npos) << text;
+}
+
+TEST(PixelStory, TheCaseOfACauseIsTold) {
+  const std::string refused = plainText(storyOf(ToldScene(refusedScene()), kNames));
+  EXPECT_NE(refused.find("the slots hold smaller ones"), std::string::npos) << refused;
+  TruthScene beyond{.scene = sceneOf({panelAt(12.5f)}), .rays = rayBundle(), .grid = unitCells(2)};
+  EXPECT_NE(plainText(storyOf(ToldScene(beyond), kNames)).find("The surface lies beyond the grid."), std::string::npos);
+  for (Ray& ray : beyond.rays) ray.origin.x = 10.0f;
+  EXPECT_NE(plainText(storyOf(ToldScene(beyond), kNames)).find("The ray never meets the grid."), std::string::npos);
+  TruthScene left{.scene = sceneOf({panelAt(5.9f)}), .rays = rayBundle(), .grid = unitCells()};
+  left.grid.enlargement = 0.3f;
+  EXPECT_NE(plainText(storyOf(ToldScene(left), kNames)).find("The overlap test keeps it out"), std::string::npos);
+}
+
+TEST(PixelStory, AHitThatNoRuleMakesIsToldAsNotConfirmed) {
+  TruthScene scene{.scene = sceneOf({panelAt(5.5f)}), .rays = rayBundle(), .grid = unitCells()};
+  scene.tracedElsewhere = [&scene](BuiltScene&) { return std::vector<Hit>(scene.rays.size(), Hit{kHitMiss, 0.0f, kBlank, 0.0f, 0.0f}); };
+  const std::string text = plainText(storyOf(ToldScene(scene), kNames));
+  EXPECT_NE(text.find("Not confirmed: traced again with that rule changed, the ray does not end as the frame's hit does"), std::string::npos) << text;
 }
 
 TEST(PixelStory, AnAgreeingRayAndAPixelWithoutOneAreToldInAFewWords) {

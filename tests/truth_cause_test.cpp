@@ -9,17 +9,17 @@
 namespace gridscope {
 namespace {
 
-// Every ray has this verdict and this cause, and every cause is confirmed.
-void expectCause(const TruthScene& scene, uint32_t cause, uint32_t verdict) {
+// Every ray has this verdict and this cause, and every cause is confirmed, or none.
+void expectCause(const TruthScene& scene, uint32_t cause, uint32_t verdict, bool confirmed = true) {
   const ToldScene told(scene);
   ASSERT_GT(told.rays.size(), 0u);
   EXPECT_EQ(told.totals.verdicts[verdict], told.rays.size()) << verdictName(verdict).title;
   for (uint32_t other = kCauseRefused; other < kCauseCount; ++other)
     EXPECT_EQ(told.totals.causes[other], other == cause ? told.rays.size() : 0u) << causeName(other).title;
   const ProofTotals proofs = told.proofs();
-  EXPECT_EQ(proofs.sum().alone + proofs.sum().chain, told.rays.size());
+  EXPECT_EQ(proofs.sum().alone + proofs.sum().chain, confirmed ? told.rays.size() : 0u);
   EXPECT_EQ(proofs.sum().total, told.rays.size());
-  EXPECT_TRUE(proofs.notConfirmed.empty());
+  EXPECT_EQ(proofs.notConfirmed.size(), confirmed ? 0u : told.rays.size());
 }
 
 // The clutter comes first, so it has the smaller references: full cells refuse the panel.
@@ -76,6 +76,16 @@ TEST(TruthCause, RefusedInAGridThatOnlyFlagsOrSaysNothing) {
     };
     expectCause(scene, kCauseRefused, kVerdictVoxelRight);
   }
+}
+
+TEST(TruthCause, LeftOutWhereAnotherBuildersGridHasRoomAndLacksTheTriangle) {
+  TruthScene scene{.scene = sceneWithClutter({}, {panelAt(5.5f)}), .rays = rayBundle()};
+  scene.damage = [](BuiltScene& built) {
+    built.grid.parameters.reserved = 0;
+    built.grid.parameters.stride = built.grid.parameters.capacity;
+    built.grid = makeEmptyGrid(built.grid.parameters);
+  };
+  expectCause(scene, kCauseLeftOut, kVerdictHole);
 }
 
 TEST(TruthCause, SteppedOverWhenNoSegmentStartsInTheCellOfTheHit) {
@@ -183,6 +193,31 @@ TEST(TruthCause, SelfHitWhenAnotherTminHidOrMadeAHit) {
   expectCause(scene, kCauseSelfHit, kVerdictTooNear);
 }
 
+// Two keyed leaves before a wall.
+TEST(TruthCause, AlphaOfSeveralLeavesIsConfirmedAsAChain) {
+  TruthScene scene = keyedScene(255);
+  placeMesh(scene.scene, addMesh(scene.scene, meshOf({panelAt(4.5f)}, 1)));
+  scene.tracedElsewhere = [&scene](BuiltScene& built) {
+    const std::vector<TraceMaterial> materials = built.numbered.materials;
+    for (TraceMaterial& material : built.numbered.materials) material.alphaThreshold = 256;
+    const std::vector<Hit> hits = tracedWith(built, scene.rays, scene.trace);
+    built.numbered.materials = materials;
+    return hits;
+  };
+  expectCause(scene, kCauseAlpha, kVerdictTooFar);
+  EXPECT_EQ(ToldScene(scene).proofs().mostLinks, 2u);
+}
+
+TEST(TruthCause, AlphaAndSelfHitThatDoNotMakeTheHitAgainAreNotConfirmed) {
+  // A keyed surface was missed, but not because of its key: the wall behind it was missed too.
+  TruthScene keyed = keyedScene(255);
+  keyed.tracedElsewhere = [&keyed](BuiltScene&) { return std::vector<Hit>(keyed.rays.size(), Hit{kHitMiss, 0.0f, kBlank, 0.0f, 0.0f}); };
+  expectCause(keyed, kCauseAlpha, kVerdictHole, false);
+  TruthScene near{.scene = sceneWithClutter({}, {panelAt(0.55f), panelAt(5.5f)}), .rays = rayBundle()};
+  near.tracedElsewhere = keyed.tracedElsewhere;
+  expectCause(near, kCauseSelfHit, kVerdictHole, false);
+}
+
 TEST(TruthCause, OutsideWhenTheSurfaceLiesBeyondTheGrid) {
   const TruthScene scene{.scene = sceneWithClutter({}, {panelAt(12.5f)}), .rays = rayBundle()};
   expectCause(scene, kCauseOutside, kVerdictHole);
@@ -200,6 +235,16 @@ TEST(TruthCause, LeftOutWhenTheOverlapTestKeepsATriangleOutOfTheCellOfTheHit) {
   TruthScene scene{.scene = sceneWithClutter({}, {panelAt(5.9f)}), .rays = rayBundle()};
   scene.grid.enlargement = 0.3f;  // a sphere of radius 0.26 about x = 5.5
   expectCause(scene, kCauseLeftOut, kVerdictHole);
+}
+
+TEST(TruthCause, LeftOutWhenATriangleIsTooSmallToHaveAnArea) {
+  // A sliver as long as a cell's half and 1e-15 wide at the middle of the bundle's rays: its normal's square is below 1e-30.
+  const Triangle sliver{vec3(5.5f, 2.25f, 0.0f), vec3(5.5f, 2.75f, 0.0f), vec3(5.5f, 2.5f, 1e-15f)};
+  const Triangle wall{vec3(7.5f, 2.1f, -0.9f), vec3(7.5f, 2.9f, -0.9f), vec3(7.5f, 2.5f, 0.9f)};
+  TruthScene scene{.scene = sceneWithClutter({}, {sliver, wall})};
+  scene.grid.bounds = Bounds{.low = vec3(0.0f, 0.0f, -2.0f), .high = vec3(8.0f, 4.0f, 2.0f)};
+  for (int i = 0; i < 5; ++i) scene.rays.push_back(makeRay(vec3(0.5f, 2.48f + 0.01f * float(i), 1e-16f), vec3(1.0f, 0.0f, 0.0f)));
+  expectCause(scene, kCauseLeftOut, kVerdictTooFar);
 }
 
 // A static panel at x = 7.5 and a dynamic one at x = 5.5, whose reference is 0x00010000.
@@ -275,7 +320,7 @@ TEST(TruthCause, NumericWhenADistanceIsALittleOffAndNothingSaysWhy) {
     for (Hit& hit : hits) hit.t += 2.0f * kAgreement;
     return hits;
   };
-  expectCause(scene, kCauseNumeric, kVerdictTooFar);
+  expectCause(scene, kCauseNumeric, kVerdictTooFar, false);
 }
 
 TEST(TruthCause, NothingIsSaidOfRaysThatAgreeAndOfPixelsWithoutARay) {

@@ -69,7 +69,7 @@ struct ToldScene {
         truths(tellTruth(input(), reference, rays, hits)), totals(countTruths(truths)) {}
 
   TruthInput input() const { return {trace, demand}; }
-  ProofTotals proofs() const { return proveFrame(input(), reference, rays, truths); }
+  ProofTotals proofs() const { return proveFrame(input(), {rays, hits, exact, truths}); }
   ivec3 cellAt(const vec3& point) const { return gridCell(built.grid.parameters, point); }
 
  private:

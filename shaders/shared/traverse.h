@@ -11,6 +11,7 @@
 //     SLOT_LOAD(cell, slot)                      the reference that a slot shows
 //     SLOTS_STORED(cell, count)                  of the references read, how many the cell holds
 //     QUERY_WINDOW(cell, window)                 where along the ray a segment's query accepts hits
+//     ALPHA_PASSES(reference, passes)            does alpha keying let a hit through?
 //     EDIT_CELL_HIT(state, best)                 a cell's nearest hit is known: a statement
 //     GATE_OPEN(cell, open)                      may the cell's gap be filled?
 //     REVISIT_SKIPS(segment, skips)              is a segment skipped, its cell being the one visited last?
@@ -43,6 +44,9 @@
 #endif
 #ifndef QUERY_WINDOW
 #define QUERY_WINDOW(cell, window) window
+#endif
+#ifndef ALPHA_PASSES
+#define ALPHA_PASSES(reference, passes) passes
 #endif
 #ifndef EDIT_CELL_HIT
 #define EDIT_CELL_HIT(state, best)
@@ -110,7 +114,7 @@ SHARED CellHit testCell(GridParameters grid, Ray ray, ivec3 cell, CellHit best, 
     if (test.verdict == kTestHit) {
       if (test.t > best.t || (test.t == best.t && reference > best.reference)) {
         test.verdict = kTestFarther;
-      } else if (keyed && !alphaPasses(reference, triangle, rayPoint(ray, test.t), alphaByte)) {
+      } else if (keyed && !ALPHA_PASSES(reference, alphaPasses(reference, triangle, rayPoint(ray, test.t), alphaByte))) {
         test.verdict = kTestAlpha;
       } else {
         best.t = test.t;
@@ -381,6 +385,7 @@ SHARED Hit traceRay(GridParameters grid, TraceParameters trace, Ray ray, INOUT(T
 #undef SLOT_LOAD
 #undef SLOTS_STORED
 #undef QUERY_WINDOW
+#undef ALPHA_PASSES
 #undef EDIT_CELL_HIT
 #undef GATE_OPEN
 #undef REVISIT_SKIPS
