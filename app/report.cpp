@@ -100,7 +100,7 @@ Table reportTable(const Session& session, const RenderReport& report) {
   addUpdate(table, session, frame);
   addRays(table, frame);
   table.add({"times (ms)", timesText(frame.times)});
-  table.add({"start (ms)", printed("%.0f", report.startMs)});
+  if (report.startMs > 0.0) table.add({"start (ms)", printed("%.0f", report.startMs)});
   if (report.frames.size() > 1) table.add({"frames", grouped(report.frames.size()) + ", the last of which is above"});
   return table;
 }

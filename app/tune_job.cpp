@@ -6,6 +6,7 @@
 
 #include "app/load_scene.h"
 #include "app/low_priority.h"
+#include "core/error.h"
 
 namespace gridscope {
 
@@ -138,6 +139,7 @@ void TuneJob::run(const std::shared_ptr<const FrameSnapshot>& frame, const TuneA
     return !cancel_;
   });
   change([&](TuneState& state) { state.rows = result.rows, state.recommended = result.recommended; });
+  if (!result.fault.empty()) throw Error("the sweep ended at " + result.fault);
 }
 
 }  // namespace gridscope

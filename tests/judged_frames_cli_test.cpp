@@ -164,6 +164,15 @@ TEST_F(JudgedFrames, APageShowsTheFiguresOfExplain) {
   for (const char* view : {"view-rays", "view-rays-slice"}) EXPECT_NE(page.find("id=\"" + std::string(view) + "\""), std::string::npos) << view;
 }
 
+TEST_F(JudgedFrames, APageShowsUpdatesOfALaterFrameAndTheOrderOfArrivalWhereItMatters) {
+  ASSERT_EQ(run({"report", "moving-crowd", "--size", "32x18", "--cells", "12", "--frame", "1", "--frame-step", "0.5", "--insertion", "first-come", "-o", "report.html"}).exitCode, 0);
+  const std::string page = fileText(folder_ / "report.html");
+  for (const char* view : {"update", "update-slice", "stability"}) EXPECT_NE(page.find("id=\"view-" + std::string(view) + "\""), std::string::npos) << view;
+  ASSERT_EQ(run({"report", "moving-crowd", "--size", "32x18", "--cells", "12", "-o", "first.html"}).exitCode, 0);
+  const std::string first = fileText(folder_ / "first.html");
+  for (const char* view : {"update", "stability"}) EXPECT_EQ(first.find("id=\"view-" + std::string(view) + "\""), std::string::npos) << view;
+}
+
 TEST_F(JudgedFrames, TheOwnSettingOfAForeignGridIsTheShapeThatWasCaptured) {
   const Json json = results({"tune", foreign(), "--cells-axis", "8", "--capacity-axis", "4", "--overlap-axis", "plane", "--traversal-axis", "dda", "--gate-axis", "1.75", "--runs", "1"});
   EXPECT_EQ(json["own"]["cellEdge"], 0.5);
