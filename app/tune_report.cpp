@@ -2,7 +2,7 @@
 #include "app/tune_report.h"
 
 #include <algorithm>
-#include <map>
+#include <set>
 
 #include "app/text.h"
 #include "core/tune_choice.h"
@@ -68,17 +68,46 @@ void printRefusals(std::FILE* out, const TuneResult& result) {
   for (const TuneRow* row : refused) std::fprintf(out, "  %s: %s\n", tuneTitle(*row).c_str(), row->refusal.c_str());
 }
 
+// One of the recommended setting's numbers that is the least or the most tried: beyond it nobody looked.
+std::string endNote(const TuneResult& result, const char* option, double (*valueOf)(const TuneRow& row)) {
+  constexpr size_t kLeastValues = 3;   // of an axis: of two, one end is always taken
+  std::set<double> tried;
+  for (const TuneRow& row : result.rows)
+    if (row.measured()) tried.insert(valueOf(row));
+  const double taken = valueOf(result.rows[result.recommended]);
+  if (tried.size() < kLeastValues || (taken != *tried.begin() && taken != *tried.rbegin())) return "";
+  return printed("  %s %g is the %s tried; %s-axis can go on from there\n", option, taken, taken == *tried.begin() ? "least" : "most", option);
+}
+
+// What a person should know before taking the recommendation.
+void printDoubts(std::FILE* out, const TuneResult& result) {
+  const TuneRow& own = result.rows[0];
+  const double noise = timeNoise(own, result.rows[result.recommended], relativeNoise(result.rows)) / std::max(own.traceMs.median, 1e-9);
+  if (noise > kTuneMostTime - 1.0)
+    std::fprintf(out, "  times scattered by %.0f %% of the own setting's, more than the rule allows a setting to take: they decided little. Run it while the machine is quiet\n", 100.0 * noise);
+  if (result.recommended == 0) return;
+  std::string notes = endNote(result, "--capacity", [](const TuneRow& row) { return double(row.grid.capacity); });
+  if (result.rows[result.recommended].grid.cellEdge == 0.0f) notes = endNote(result, "--cells", [](const TuneRow& row) { return double(row.grid.cells); }) + notes;
+  if (result.rows[result.recommended].trace.traversal == kTraversalSegment) {
+    notes += endNote(result, "--back", [](const TuneRow& row) { return double(row.trace.back); });
+    notes += endNote(result, "--ahead", [](const TuneRow& row) { return double(row.trace.ahead); });
+  }
+  notes += endNote(result, "--gate", [](const TuneRow& row) { return double(row.trace.gate); });
+  std::fprintf(out, "%s", notes.c_str());
+}
+
 void printRecommendation(std::FILE* out, const TuneResult& result) {
   const TuneRow& own = result.rows[0];
   const TuneRow& best = result.rows[result.recommended];
   std::fprintf(out, "\nrule: at most %g times the memory and %g of the trace time of the own setting, then the fewest wrong rays\n", kTuneMostMemory, kTuneMostTime);
   if (result.recommended == 0) {
     std::fprintf(out, "recommended: the own setting; nothing tried within the rule is better\n  %s\n", tuneFlags(best).c_str());
-    return;
+    return printDoubts(out, result);
   }
   std::fprintf(out, "recommended: wrong rays %s -> %s, memory %s -> %s, trace %.2f -> %.2f ms\n  %s\n", percentOf(own.wrong(), own.rays).c_str(),
                percentOf(best.wrong(), best.rays).c_str(), byteText(own.bytes).c_str(), byteText(best.bytes).c_str(), own.traceMs.median,
                best.traceMs.median, tuneFlags(best).c_str());
+  printDoubts(out, result);
 }
 
 Json spreadJson(const Spread& spread) { return {{"min", spread.min}, {"median", spread.median}, {"max", spread.max}}; }

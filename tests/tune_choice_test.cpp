@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdio>
+#include <cstdlib>
 
 #include "app/tune_report.h"
 #include "core/tune_choice.h"
@@ -158,6 +160,36 @@ TEST(TuneReport, JsonHoldsEverySettingAndTheRecommendation) {
   EXPECT_EQ(json["settings"][0]["verdicts"]["hole"], 50);
   EXPECT_TRUE(json["settings"][2].contains("refusal"));
   EXPECT_FALSE(json["settings"][2].contains("bytes"));
+}
+
+std::string printedTune(const TuneResult& result) {
+  char* text = nullptr;
+  size_t size = 0;
+  std::FILE* out = open_memstream(&text, &size);
+  printTune(out, result);
+  std::fclose(out);
+  std::string whole(text, size);
+  std::free(text);
+  return whole;
+}
+
+TEST(TuneReport, SaysWhenTheRecommendationLiesAtTheEndOfWhatWasTried) {
+  TuneResult result = smallResult();
+  result.rows = rowsOf({{100, 50, 10.0}, {100, 45, 10.0}, {100, 40, 10.0}});
+  result.rows[1].trace.gate = 2.0f, result.rows[2].trace.gate = 4.0f;
+  result.rows[1].trace.back = 0.5f, result.rows[0].trace.back = 1.5f;
+  result.recommended = 2;
+  const std::string text = printedTune(result);
+  EXPECT_NE(text.find("--gate 4 is the most tried; --gate-axis can go on from there"), std::string::npos) << text;
+  EXPECT_EQ(text.find("--back 1 is"), std::string::npos) << text;
+  EXPECT_EQ(text.find("--ahead"), text.rfind("--ahead")) << "one value only, in the flags: " << text;
+}
+
+TEST(TuneReport, SaysWhenTimesScatteredMoreThanTheRuleAllows) {
+  TuneResult result = smallResult();
+  EXPECT_EQ(printedTune(result).find("scattered"), std::string::npos);
+  result.rows[0].traceMs = {8.0, 10.0, 14.0};
+  EXPECT_NE(printedTune(result).find("times scattered by 60 % of the own setting's"), std::string::npos) << printedTune(result);
 }
 
 }  // namespace
