@@ -170,7 +170,7 @@ std::optional<double> raysAround(const Json& results, std::string path) {
 
 Whole wholeOf(const Budget& budget, const Json& results, const std::string& path) {
   // Proofs: lists that end with how many there were.
-  if (liesIn(path, {"confirmed.", "control.causes."}) && find(results, groupOf(path))->is_array())
+  if (liesIn(path, {"confirmed.", "control.causes.", "controlChain.causes."}) && find(results, groupOf(path))->is_array())
     return {find(results, groupOf(path))->back().get<double>(), "rays of that cause"};
   if (countsRays(path)) {
     if (const std::optional<double> rays = raysAround(results, path)) return {*rays, "rays"};

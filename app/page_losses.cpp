@@ -48,18 +48,19 @@ std::string causeTable(const TruthTotals& totals) {
 }
 
 std::string proofTable(const ProofTotals& proofs) {
-  PageTable table("Proofs: each ray traced again without that event alone", "nrrrrbr",
-                  {"cause", "rays", "confirmed alone", "as a chain", "not confirmed", "confirmed", "control"});
+  PageTable table("Proofs: each ray traced again without that event alone", "nrrrrbrr",
+                  {"cause", "rays", "confirmed alone", "as a chain", "not confirmed", "confirmed", "control alone", "control"});
   const auto add = [&](const PageCell& name, const ProofTotals::Count& count, bool marked) {
     const uint64_t confirmed = count.alone + count.chain;
     table.add({name, grouped(count.total), grouped(count.alone), grouped(count.chain), grouped(count.total - confirmed),
-               PageCell::bar(shareOf(confirmed, count.total)), percentOf(count.controlConfirmed, count.controlTotal)}, marked);
+               PageCell::bar(shareOf(confirmed, count.total)), percentOf(count.controlConfirmed, count.controlTotal),
+               percentOf(count.controlChained, count.controlTotal)}, marked);
   };
   for (uint32_t cause = kCauseNone + 1; cause < kCauseCount; ++cause)
     if (proofs.causes[cause].total > 0) add(PageCell::named(std::string(causeName(cause).title), cssColour(causeColour(cause))), proofs.causes[cause], false);
   add(PageCell("together"), proofs.sum(), true);
   return table.html() + paragraph("A chain: without the first event the ray differs again with a later one, which is removed too, and so on; the longest has " +
-                                  grouped(proofs.mostLinks) + " links. Control: the event of another ray of the same cause removed instead, and the share of rays that this makes agree.");
+                                  grouped(proofs.mostLinks) + " links. Control: the event of another ray of the same cause removed first, and the share of rays that this alone, or as a chain by the same rules, makes agree.");
 }
 
 // Meshes or instances: which cost the most rays.

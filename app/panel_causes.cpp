@@ -45,7 +45,7 @@ void drawConfirmed(const FrameSnapshot& frame, uint32_t cause) {
   const uint64_t confirmed = count.alone + count.chain;
   rightNumber(grouped(confirmed) + "  " + percentOf(confirmed, count.total), meaningColour(confirmed == count.total ? kColourTriangleHit : kColourVoxelHit));
   const std::string how = grouped(count.alone) + " alone, " + grouped(count.chain) + " as a chain, of " + grouped(count.total) + "; the control confirms " +
-                          percentOf(count.controlConfirmed, count.controlTotal);
+                          percentOf(count.controlChained, count.controlTotal) + ", " + percentOf(count.controlConfirmed, count.controlTotal) + " alone";
   whyTooltip(how.c_str());
 }
 
@@ -183,7 +183,7 @@ void drawCauseStrip(WindowModel& model, bool both, bool& showMeshes) {
   if (frame.proofs) {
     const ProofTotals::Count sum = frame.proofs->sum();
     ImGui::SameLine(0.0f, unit(12));
-    textDim(percentOf(sum.alone + sum.chain, sum.total) + " confirmed, control " + percentOf(sum.controlConfirmed, sum.controlTotal));
+    textDim(percentOf(sum.alone + sum.chain, sum.total) + " confirmed, control " + percentOf(sum.controlChained, sum.controlTotal));
   }
   if (!both) {
     ImGui::SameLine(0.0f, unit(12));

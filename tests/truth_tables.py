@@ -81,15 +81,15 @@ def main():
                             [percent(result["verdicts"][key], rays) for key in VERDICTS] + [percent(result["wrong"], rays)])
         alone, chain = (sum(counts[i] for counts in result["confirmed"].values()) for i in (0, 1))
         cause_rows.append((setting, result["causes"], rays, [f"{differ}", percent(alone, differ or 1), percent(chain, differ or 1), str(differ - alone - chain),
-                                                             str(result["mostLinks"]), percent(result["control"]["confirmed"], result["control"]["total"] or 1)]))
+                                                             str(result["mostLinks"]), *(percent(result[key]["confirmed"], result[key]["total"] or 1) for key in ("control", "controlChain"))]))
 
     # Causes that no ray of any run has are named below the table instead of a column of zeros.
     shown = [key for key in CAUSES if key in seen]
     print(f"Verdicts, percent of the rays ({arguments.size}, 3 teapots):\n")
     print(table(["scene", "cells", "capacity", "traversal", "agree, hit", "agree, miss", *VERDICTS.values(), "wrong"], verdict_rows))
-    print("Causes, percent of the rays; proofs and control, percent of the rays that differ:\n")
+    print("Causes, percent of the rays; proofs and controls, percent of the rays that differ:\n")
     print(table(["scene", "cells", "capacity", "traversal", *(CAUSES[key] for key in shown), "rays that differ", "confirmed alone", "as a chain",
-                 "not confirmed (rays)", "longest chain (links)", "control"],
+                 "not confirmed (rays)", "longest chain (links)", "control alone", "control alone or as a chain"],
                 [setting + [percent(causes[key], rays) for key in shown] + proof for setting, causes, rays, proof in cause_rows]))
     print("No ray of any run: " + ", ".join(CAUSES[key] for key in CAUSES if key not in seen) + ".")
     for fault in faults: print(fault, file=sys.stderr)
