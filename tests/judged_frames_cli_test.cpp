@@ -8,6 +8,8 @@
 
 #include "app/text.h"
 #include "core/capture.h"
+#include "core/derive.h"
+#include "core/grid.h"
 #include "tests/program.h"
 
 namespace gridscope {
@@ -103,6 +105,37 @@ TEST_F(JudgedFrames, AFrameOfASequenceIsChosenAndNamed) {
   const Ended beyond = run({"explain", "sequence.gridcap", "--frame", "3"});
   EXPECT_EQ(beyond.exitCode, 2);
   EXPECT_NE(beyond.err.find("--frame 3: sequence.gridcap holds 3 frames"), std::string::npos) << beyond.err;
+}
+
+// The same grids without reserved texels, by another program: no build and no update can follow them.
+void makeForeign(Capture& capture) {
+  const GridParameters before = capture.grid;
+  capture.writer = "engine 7";
+  capture.grid.reserved = 0;
+  capture.grid.stride = capture.grid.capacity;
+  for (CaptureFrame& frame : capture.frames) {
+    const Grid from{before, frame.grid};
+    Grid to{capture.grid, std::vector<uint32_t>(gridByteCount(capture.grid) / sizeof(uint32_t))};
+    ivec3 cell;
+    for (cell.z = 0; cell.z < before.cellCount.z; ++cell.z)
+      for (cell.y = 0; cell.y < before.cellCount.y; ++cell.y)
+        for (cell.x = 0; cell.x < before.cellCount.x; ++cell.x)
+          for (int slot = 0; slot < before.capacity; ++slot) to.at(gridTexel(to.parameters, cell, slot)) = from.at(gridTexel(before, cell, slot));
+    frame.grid = std::move(to.texels);
+  }
+}
+
+TEST_F(JudgedFrames, AFramesInstancesStandWhereItsOwnTransformsPutThemEvenWhenNoUpdateCanMoveThem) {
+  writeSequence();
+  Capture capture = readCapture(folder_ / "sequence.gridcap");
+  makeForeign(capture);
+  writeCapture(folder_ / "engine.gridcap", capture);
+  const Json own = results({"check", "sequence.gridcap", "--fail-if", "wrong<0"});
+  const Json foreign = results({"check", "engine.gridcap", "--fail-if", "wrong<0"});
+  for (int frame = 0; frame < 3; ++frame) {
+    EXPECT_EQ(foreign["frames"][frame]["verdicts"], own["frames"][frame]["verdicts"]) << frame;
+    EXPECT_EQ(results({"explain", "engine.gridcap", "--frame", std::to_string(frame)})["verdicts"], own["frames"][frame]["verdicts"]) << frame;
+  }
 }
 
 TEST_F(JudgedFrames, EachFrameOfASequenceMustKeepToABudget) {
