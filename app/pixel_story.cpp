@@ -112,12 +112,8 @@ struct Teller {
     const int before = int(std::floor(stay.x / edge)), after = before + 1;
     const ivec3 from = gridCell(grid.parameters, rayPoint(input.ray, float(before) * edge));
     const ivec3 to = gridCell(grid.parameters, rayPoint(input.ray, float(after) * edge));
-    const ivec3 crossed = glm::abs(to - from);
-    const int faces = (crossed.x != 0) + (crossed.y != 0) + (crossed.z != 0);
     story.text("The ray is in that cell for ").number(edgesText(inEdges(std::max(stay.y - stay.x, 0.0f)))).text(" only: ");
-    story.step(before, from).text(" starts before it in ").cell(from).text(", ").step(after, to).text(" behind it in ").cell(to);
-    story.text(faces >= 3 ? "; a corner was cut." : faces == 2 ? "; an edge of the cell was cut." : "; it was crossed from face to face.");
-    story.end();
+    story.step(before, from).text(" starts before it in ").cell(from).text(", ").step(after, to).text(" behind it in ").cell(to).text(".").end();
   }
 
   // How far the ray was from its launching surface, beside the gate.

@@ -2,22 +2,15 @@
 #include "core/exact_check.h"
 
 #include <algorithm>
-#include <cmath>
 #include <mutex>
 
 #include "core/parallel.h"
+#include "core/truth.h"
 
 namespace gridscope {
 namespace {
 
-constexpr float kAgreement = 1e-3f;   // cell edges
 constexpr float kGrazing = 1e-4f;     // barycentrics
-
-bool agrees(const Hit& traced, const Hit& exact, float cellEdge) {
-  bool surface = exact.kind == kHitTriangle;
-  if (traced.kind != kHitTriangle) return !surface && traced.kind != kHitVoxel;
-  return surface && std::abs(traced.t - exact.t) <= kAgreement * cellEdge;
-}
 
 bool atEdge(const Hit& hit) {
   return hit.kind == kHitTriangle && std::min({hit.u, hit.v, 1.0f - hit.u - hit.v}) < kGrazing;
@@ -37,7 +30,7 @@ ExactComparison compareWithExact(const TraceInput& input, std::span<const Ray> r
     for (size_t i = begin; i < end; ++i) {
       uint32_t ray = valid[i * valid.size() / comparison.compared];
       Hit exact = traceBruteForce(input, rays[ray]);
-      if (agrees(hits[ray], exact, input.grid.parameters.cellEdge)) continue;
+      if (judge(hits[ray], exact, input.grid.parameters) == kVerdictAgrees) continue;
       std::lock_guard lock(mutex);
       comparison.differences.push_back({ray, hits[ray], exact, atEdge(exact) || atEdge(hits[ray])});
     }

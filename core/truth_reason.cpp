@@ -2,6 +2,7 @@
 #include "core/truth_reason.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/trace_loads.h"
 #include "core/truth_cause.h"
@@ -19,6 +20,27 @@ TruthReason refusedReason(const GridParameters& grid) {
   if (grid.reserved != 2) return {"full", "The cell is full; this grid does not count what its cells refused."};
   if (grid.insertion == kInsertionSorted) return {"largerReference", "Sorted insertion keeps the smallest references: the slots hold smaller ones."};
   return {"cameLater", "The first to come keep the slots: they were taken when it came."};
+}
+
+// What the two segments around a cell's stay left between them.
+TruthReason steppedOverReason(const TruthInput& input, const Ray& ray, const RayTruth& truth) {
+  const GridParameters& grid = input.trace.grid.parameters;
+  const float before = std::floor(cellStay(grid, ray, truth.cell).x / grid.cellEdge);
+  const auto startIn = [&](float segment) { return gridCell(grid, rayPoint(ray, segment * grid.cellEdge)); };
+  const ivec3 crossed = startIn(before + 1.0f) - startIn(before);
+  const int axes = (crossed.x != 0) + (crossed.y != 0) + (crossed.z != 0);
+  if (axes >= 3) return {"corner", "A corner of the cell was cut."};
+  if (axes == 2) return {"edge", "An edge of the cell was cut."};
+  return {"face", "The cell was crossed from face to face between two starts."};
+}
+
+// On which side of its cell's window the hit lies.
+TruthReason segmentEndReason(const TruthInput& input, const Ray& ray, const RayTruth& truth) {
+  const RayRecord record = recordRay(input.trace, ray);
+  const auto step = std::ranges::find_if(record.steps, [&](const StepRecord& one) { return one.segment == truth.segment && one.cell == truth.cell; });
+  if (step == record.steps.end()) return {};
+  if (truth.exactT < stepWindow(input.trace.parameters, *step).x) return {"before", "The hit lies before the part of the ray that the segment tests."};
+  return {"behind", "The hit lies behind the part of the ray that the segment tests."};
 }
 
 TruthReason alphaReason(const RayTruth& truth) {
@@ -64,6 +86,8 @@ TruthReason notInsertedReason(const TruthInput& input, const RayTruth& truth) {
 TruthReason reasonOf(const TruthInput& input, const Ray& ray, const RayTruth& truth) {
   switch (truth.cause) {
     case kCauseRefused: return refusedReason(input.trace.grid.parameters);
+    case kCauseSteppedOver: return steppedOverReason(input, ray, truth);
+    case kCauseSegmentEnd: return segmentEndReason(input, ray, truth);
     case kCauseAlpha: return alphaReason(truth);
     case kCauseSelfHit: return selfHitReason(truth);
     case kCauseOutside: return outsideReason(input, ray, truth);

@@ -81,6 +81,14 @@ TEST(PixelStory, TheCaseOfACauseIsTold) {
   TruthScene left{.scene = sceneOf({panelAt(5.9f)}), .rays = rayBundle(), .grid = unitCells()};
   left.grid.enlargement = 0.3f;
   EXPECT_NE(plainText(storyOf(ToldScene(left), kNames)).find("The overlap test keeps it out"), std::string::npos);
+  TruthScene cut{.scene = sceneOf({panelAt(5.2f)}), .rays = rayBundle(), .grid = unitCells()};
+  cut.trace.back = 0.0f;
+  EXPECT_NE(plainText(storyOf(ToldScene(cut), kNames)).find("The hit lies before the part of the ray"), std::string::npos);
+  // Along the diagonal, 0.05 edges off the corner line: a blade in the cell that is cut between x and z.
+  const vec3 direction = glm::normalize(vec3(1.0f, 0.0f, 1.0f)), middle = vec3(0.5f, 2.5f, 0.45f) + 3.57f * direction, across(0.011f, 0.0f, -0.011f);
+  const vec3 up(0.0f, 0.3f, 0.0f);
+  TruthScene edge{.scene = sceneOf({{middle - across - up, middle + across - up, middle + up}}), .rays = {makeRay(vec3(0.5f, 2.4f, 0.45f), direction)}};
+  EXPECT_NE(plainText(storyOf(ToldScene(edge), kNames)).find("An edge of the cell was cut."), std::string::npos);
 }
 
 TEST(PixelStory, AHitThatNoRuleMakesIsToldAsNotConfirmed) {
