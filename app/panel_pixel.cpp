@@ -81,8 +81,11 @@ void drawProof(WindowModel& model, const RecordedRay& ray) {
                                            : printed("Taking these %zu events away leaves the ray different: ", links) + hitWords(proof.hit) + ":"});
   }
   for (size_t i = 0; links > 1 && i < links; ++i) {
-    sentence.push_back({.text = " " + std::string(causeName(proof.links[i].cause).title) + " in "});
-    sentence.push_back({.text = cellNumbers(proof.links[i].cell), .link = SentencePart::Link::cell, .cell = proof.links[i].cell});
+    sentence.push_back({.text = " " + std::string(causeName(proof.links[i].cause).title)});
+    if (proof.links[i].cell.x >= 0) {
+      sentence.push_back({.text = " in "});
+      sentence.push_back({.text = cellNumbers(proof.links[i].cell), .link = SentencePart::Link::cell, .cell = proof.links[i].cell});
+    }
     sentence.push_back({.text = i + 1 == links ? "." : ","});
   }
   drawSentenceBox(model, sentence, ray.proof->confirmed ? kColourTriangleHit : kColourHole, "proof");
