@@ -44,7 +44,7 @@ def table(head, rows):
 
 
 def broken_promises(name, result):
-    """What issue 5 promises of every run, and this one does not keep."""
+    """What must hold in every run, and does not in this one."""
     rays, differ = result["rays"], sum(result["causes"].values())
     confirmed = sum(alone + chain for alone, chain, _ in result["confirmed"].values())
     agree = sum(result["agree"].values())
