@@ -40,6 +40,17 @@ void orbitCamera(CameraState& camera, float turn, float rise) {
   camera.pose.eye = camera.pose.target - turned(camera.pose.target - camera.pose.eye, camera.pose.up, turn, rise);
 }
 
+void orbitAround(CameraState& camera, const vec3& pivot, float turn, float rise) {
+  CameraPose& pose = camera.pose;
+  pose.name.clear();
+  const vec3 up = worldUp(camera), before = pose.target - pose.eye, after = turned(before, up, turn, rise);
+  const auto height = [&](const vec3& way) { return std::asin(std::clamp(glm::dot(glm::normalize(way), up), -1.0f, 1.0f)); };
+  const glm::quat yaw = glm::angleAxis(turn, up), pitch = glm::angleAxis(height(after) - height(before), glm::normalize(glm::cross(yaw * before, up)));
+  pose.up = up;
+  pose.eye = pivot - pitch * (yaw * (pivot - pose.eye));
+  pose.target = pose.eye + after;
+}
+
 void turnCamera(CameraState& camera, float turn, float rise) {
   camera.pose.name.clear();
   camera.pose.up = worldUp(camera);
@@ -123,7 +134,9 @@ Bounds selectedBounds(const WindowModel& model) {
   switch (selected.last) {
     case Selected::nothing: break;
     case Selected::pixel:
-      if (selected.pixel && frame.gather && *selected.pixel < frame.gather->size()) {
+      if (rayIsHeld(model)) {
+        bounds.include(model.held->ray->ray.origin - vec3(grid.cellEdge)), bounds.include(model.held->ray->ray.origin + vec3(grid.cellEdge));
+      } else if (selected.pixel && frame.gather && *selected.pixel < frame.gather->size()) {
         const vec3 seen = (*frame.gather)[*selected.pixel].position;
         bounds.include(seen - vec3(grid.cellEdge)), bounds.include(seen + vec3(grid.cellEdge));
       }
@@ -143,6 +156,13 @@ Bounds selectedBounds(const WindowModel& model) {
       break;
   }
   return bounds;
+}
+
+std::optional<vec3> selectedPivot(const WindowModel& model) {
+  const Bounds bounds = selectedBounds(model);
+  if (bounds.empty() || !model.frame->request.settings) return std::nullopt;
+  const vec3 middle = 0.5f * (bounds.low + bounds.high);
+  return inPicture(model.camera.pose, *model.frame->request.settings, middle) ? std::optional(middle) : std::nullopt;
 }
 
 }  // namespace gridscope

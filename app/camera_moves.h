@@ -9,6 +9,8 @@ namespace gridscope {
 void aimCamera(CameraState& camera, const FrameSnapshot& frame);
 // Around the target, by angles in radians.
 void orbitCamera(CameraState& camera, float turn, float rise);
+// The same around any point, which stays where it is in the picture.
+void orbitAround(CameraState& camera, const vec3& pivot, float turn, float rise);
 // Looks around from where it stands.
 void turnCamera(CameraState& camera, float turn, float rise);
 // Moves eye and target along right, up and forward, world units.
@@ -30,5 +32,7 @@ vec3 worldUp(const CameraState& camera);
 
 // What is selected, as a box in the world; empty: nothing.
 Bounds selectedBounds(const WindowModel& model);
+// What one orbits around: the middle of what is selected, where it is in the picture; else nothing.
+std::optional<vec3> selectedPivot(const WindowModel& model);
 
 }  // namespace gridscope

@@ -153,20 +153,20 @@ void showIn(WindowModel& model, Workspace workspace) {
     case Workspace::grid:
       model.layout = ViewportLayout::one;
       model.panes[0] = {"occupancy"};
-      overlays.saturatedBoxes = true, overlays.cellBoxes = overlays.raySegments = overlays.visitedCells = overlays.testedTriangles = false;
+      overlays.saturatedBoxes = true, overlays.cellBoxes = overlays.raySegments = overlays.visitedCells = overlays.testedTriangles = overlays.dimmed = false;
       model.showTab(BottomTab::plots);
       break;
     case Workspace::ray:
       model.layout = ViewportLayout::one;
       model.panes[0] = {"final"};
-      overlays.raySegments = overlays.visitedCells = overlays.testedTriangles = true;
+      overlays.raySegments = overlays.visitedCells = overlays.testedTriangles = overlays.dimmed = true;
       overlays.saturatedBoxes = overlays.cellBoxes = false;
       model.showTab(BottomTab::steps);
       break;
     case Workspace::verdict:
       model.layout = ViewportLayout::four;
       model.panes = {Pane{"final"}, Pane{"verdict"}, Pane{"cause"}, Pane{"visits"}};
-      overlays.saturatedBoxes = overlays.cellBoxes = overlays.raySegments = overlays.visitedCells = overlays.testedTriangles = false;
+      overlays.saturatedBoxes = overlays.cellBoxes = overlays.raySegments = overlays.visitedCells = overlays.testedTriangles = overlays.dimmed = false;
       model.request.truth = true;
       model.showTab(BottomTab::causes);
       break;

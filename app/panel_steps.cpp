@@ -99,7 +99,10 @@ void drawSearches(WindowModel& model, const RayRecord& record, uint32_t step) {
 // Room, pixels at UI scale 1, from which the light's words stand beside it, with the neighbouring rays behind.
 constexpr float kWideLight = 380.0f;
 
+constexpr float kNeighbours = 170.0f;   // room that the two buttons take, pixels at UI scale 1
+
 void drawNeighbours(WindowModel& model) {
+  if (ImGui::GetContentRegionAvail().x < unit(kNeighbours)) return ImGui::NewLine();   // the keys and the menu remain
   if (keyButton("Previous", "[")) nextRay(model, -1);
   whyTooltip(("The ray before in the order of " + model.rayOrder.name).c_str());
   ImGui::SameLine(0.0f, unit(4));

@@ -45,6 +45,7 @@ struct Overlays {
   bool visitedCells = true;
   bool testedTriangles = true;
   bool selection = true;
+  bool dimmed = false;                 // the picture, under a ray
   bool lens = true;                    // on the selected step's cell, where it is small in the picture
   bool clip = false;                   // only what lies in clipBox
   Bounds clipBox;                      // world

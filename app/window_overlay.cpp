@@ -55,11 +55,13 @@ void addEdge(BoxLines& boxes, const BoxEdge& edge, float farthest, const WindowM
   const GridParameters& grid = boxes.grid->parameters;
   const std::span<const GatherPixel> gather = boxes.gather ? std::span<const GatherPixel>(*boxes.gather) : std::span<const GatherPixel>();
   const float fill = float(edge.value) / boxes.top;
-  const vec3 colour = edge.saturated ? unpackColour(kColourSaturatedBox) : gridscope::colourMap(model.colourMap, fill);
+  // Beyond the capacity the map ends; rays have no such end.
+  const bool pink = edge.saturated && (model.overlays.saturatedBoxes || boxMeasure(model.overlays).byCapacity);
+  const vec3 colour = pink ? unpackColour(kColourSaturatedBox) : gridscope::colourMap(model.colourMap, fill);
   for (const ProjectedLine& piece : projectLine(boxes.camera, gather, edge.line, 0.1f * grid.cellEdge)) {
     if (piece.hidden) continue;
     const float fade = 1.0f - 0.75f * std::clamp(0.5f * (piece.a.depth + piece.b.depth) / farthest, 0.0f, 1.0f);
-    boxes.lines.push_back({piece.a.pixel, piece.b.pixel, packedColour(colour, edge.saturated ? std::min(1.0f, fade * 1.2f) : 0.85f * fade), edge.saturated ? 1.3f : 1.0f});
+    boxes.lines.push_back({piece.a.pixel, piece.b.pixel, packedColour(colour, pink ? std::min(1.0f, fade * 1.2f) : 0.85f * fade), pink ? 1.3f : 1.0f});
   }
 }
 
@@ -114,10 +116,18 @@ void drawSelection(const WindowModel& model, const OverlayPainter& painter) {
   const FrameSnapshot& frame = *model.frame;
   const Selection& selected = model.selected();
   if (!model.overlays.selection) return;
-  if (selected.last == Selected::cell && selected.cell && gridContains(frame.grid->parameters, *selected.cell))
+  if (selected.last == Selected::cell && selected.cell && gridContains(frame.grid->parameters, *selected.cell)) {
     painter.box(cellBounds(frame.grid->parameters, *selected.cell), kSelectedStyle);
+    const FullCell full = fullnessOf(*frame.grid, *selected.cell);
+    drawSelectionCallout(model, painter, gridCellCentre(frame.grid->parameters, *selected.cell), "Cell " + cellNumbers(*selected.cell),
+                         grouped(full.tried()) + " tried, " + grouped(full.stored) + " stored", full.saturated);
+  }
   if (selected.last == Selected::triangle && selected.reference)
-    if (const Triangle* triangle = worldTriangle(frame, *selected.reference)) painter.triangle(*triangle, kSelectedStyle);
+    if (const Triangle* triangle = worldTriangle(frame, *selected.reference)) {
+      painter.triangle(*triangle, kSelectedStyle);
+      const TriangleName name = nameTriangle(frame.scene->numbered, *selected.reference);
+      drawSelectionCallout(model, painter, (triangle->a + triangle->b + triangle->c) / 3.0f, "Triangle " + grouped(name.triangle), meshName(*frame.scene, name.mesh), false);
+    }
   if (selected.last == Selected::instance && selected.instance) {
     const Bounds bounds = boundsOfInstance(frame, *selected.instance);
     LineStyle style = kSelectedStyle;

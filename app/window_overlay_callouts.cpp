@@ -1,4 +1,4 @@
-// Callouts of the selected ray over the viewport (window_overlay.h): one at the selected step, one at the origin.
+// Callouts over the viewport (window_overlay.h): of the selected ray, one at its step and one at its origin; of a selected cell, triangle or instance.
 #include <algorithm>
 #include <cmath>
 #include <span>
@@ -94,6 +94,16 @@ std::vector<Area> occupiedAreas(const WindowModel& model, const PaneRect& pane) 
 }
 
 }  // namespace
+
+void drawSelectionCallout(const WindowModel& model, const OverlayPainter& painter, const vec3& at, const std::string& name, const std::string& note, bool marked) {
+  const PaneRect& pane = painter.pane;
+  const std::optional<ImVec2> place = painter.place(at);
+  if (pane.max.x - pane.min.x < unit(kLeastCallout) || !place || !painter.inPane(*place)) return;
+  std::vector<CalloutLine> lines{{name, windowFonts().sansBold, IM_COL32(217, 223, 229, 255)}};
+  if (!note.empty()) lines.push_back({note, windowFonts().mono, marked ? pictureColour(kColourSaturated) : IM_COL32(143, 154, 166, 255)});
+  const vec2 low = placeCallout({vectorOf(pane.min), vectorOf(pane.max)}, vectorOf(*place), vectorOf(calloutSize(lines)), {}, occupiedAreas(model, pane), unit(1));
+  drawCallout(painter, *place, ImVec2(low.x, low.y), lines);
+}
 
 void drawCallouts(const WindowModel& model, const OverlayPainter& painter, const ShownStep& shown) {
   const FrameSnapshot& frame = *model.frame;

@@ -17,7 +17,6 @@ namespace gridscope {
 namespace {
 
 constexpr size_t kMostTriangles = 400;                 // tested ones that are drawn
-constexpr float kLeastCallout = 480.0f;                // width of a pane that has room for legend and callouts, pixels at UI scale 1
 
 void drawVisitedCells(const OverlayPainter& painter, const FrameSnapshot& frame, const RecordedRay& ray, uint32_t selected) {
   const GridParameters& grid = frame.grid->parameters;

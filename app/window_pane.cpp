@@ -157,6 +157,7 @@ void drawOver(WindowModel& model, std::span<const PaneSide> sides) {
   for (const PaneSide& side : sides)
     if (isShown(side)) rect.min.x = std::min(rect.min.x, side.rect.min.x), rect.max.x = std::max(rect.max.x, side.rect.max.x), rect.legend = side.rect.legend;
   ImGui::GetWindowDrawList()->PushClipRect(rect.min, rect.max, true);
+  if (model.overlays.dimmed && rayLegendShown(model, rect)) ImGui::GetWindowDrawList()->AddRectFilled(rect.min, rect.max, IM_COL32(20, 23, 27, 120));
   drawOverlays(model, rect);
   if (sides.size() == 1) drawLens(model, rect, first->picture, *first->image);
   drawSelectedPixel(model, rect, uvec2(first->image->width, first->image->height));

@@ -190,7 +190,7 @@ void drawTrace(WindowModel& model) {
 
 void drawOverlaySwitches(WindowModel& model) {
   Overlays& o = model.overlays;
-  const int on = o.cellBoxes + o.saturatedBoxes + o.raySegments + o.visitedCells + o.testedTriangles + o.lens + o.selection + o.clip;
+  const int on = o.cellBoxes + o.saturatedBoxes + o.raySegments + o.visitedCells + o.testedTriangles + o.dimmed + o.lens + o.selection + o.clip;
   if (!sectionHeader("Overlays", printed("%d on", on))) return;
   ImGui::Checkbox("Cell boxes", &o.cellBoxes);
   if (o.cellBoxes) {
@@ -212,6 +212,7 @@ void drawOverlaySwitches(WindowModel& model) {
   ImGui::Checkbox("Ray segments by outcome", &o.raySegments);
   ImGui::Checkbox("Cells the ray visited", &o.visitedCells);
   ImGui::Checkbox("Tested triangles", &o.testedTriangles);
+  ImGui::Checkbox("Dim the picture under a ray", &o.dimmed);
   ImGui::Checkbox("Lens on the step's cell", &o.lens);
   ImGui::Checkbox("Selection", &o.selection);
   ImGui::Checkbox("Clip box", &o.clip);

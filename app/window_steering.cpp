@@ -23,6 +23,7 @@ constexpr float kSpeedStep = 1.2f;            // of the wheel and the speed keys
 // The button that steers now, from its press over a pane to its release.
 struct Steering {
   int button = -1;
+  std::optional<vec3> pivot;                  // of an orbit; nothing: the camera's target
 };
 
 int pressedOverPane(const ImGuiIO& io) {
@@ -31,11 +32,12 @@ int pressedOverPane(const ImGuiIO& io) {
   return io.KeyAlt && ImGui::IsMouseClicked(0) ? 0 : -1;
 }
 
-void orbit(CameraState& camera, const ImGuiIO& io) {
+void orbit(CameraState& camera, const std::optional<vec3>& pivot, const ImGuiIO& io) {
   const ImVec2 way = io.MouseDelta;
   if (way.x == 0.0f && way.y == 0.0f) return;
   camera.mode = CameraMode::orbit;
-  if (!io.KeyShift) return orbitCamera(camera, -way.x * kTurnPerPixel, -way.y * kTurnPerPixel);
+  const float turn = -way.x * kTurnPerPixel, rise = -way.y * kTurnPerPixel;
+  if (!io.KeyShift) return pivot ? orbitAround(camera, *pivot, turn, rise) : orbitCamera(camera, turn, rise);
   const float perPixel = 2.0f * std::tan(0.5f * glm::radians(camera.pose.verticalFovDegrees)) * glm::distance(camera.pose.eye, camera.pose.target) / 800.0f;
   moveCamera(camera, {-way.x * perPixel, way.y * perPixel, 0.0f});
 }
@@ -66,13 +68,16 @@ void steerCamera(WindowModel& model, bool overPane) {
   const ImGuiIO& io = ImGui::GetIO();
   if (overPane && steering.button < 0) {
     steering.button = pressedOverPane(io);
-    if (steering.button >= 0 && steering.button != 1 && model.frame) aimCamera(model.camera, *model.frame);
+    if (steering.button >= 0 && steering.button != 1 && model.frame) {
+      steering.pivot = selectedPivot(model);
+      if (!steering.pivot) aimCamera(model.camera, *model.frame);
+    }
   }
   if (steering.button >= 0 && !ImGui::IsMouseDown(steering.button)) steering.button = -1;
   model.flying = steering.button == 1;
   if (steering.button < 0) return;
   if (model.flying) fly(model, io);
-  else orbit(model.camera, io);
+  else orbit(model.camera, steering.pivot, io);
 }
 
 }  // namespace gridscope

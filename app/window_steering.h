@@ -1,4 +1,5 @@
-// The mouse and the keys that steer the camera from a pane: fly with the right button, orbit with the middle one or Alt and the left one.
+// The mouse and the keys that steer the camera from a pane: fly with the right button; orbit, around the selection
+// where it is in the picture, with the middle one or Alt and the left one.
 #pragma once
 
 #include "app/window_model.h"

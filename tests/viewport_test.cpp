@@ -3,8 +3,10 @@
 
 #include "app/callout_place.h"
 #include "app/camera_moves.h"
+#include "app/projection.h"
 #include "app/read_out.h"
 #include "app/viewport_place.h"
+#include "core/derive.h"
 
 namespace gridscope {
 namespace {
@@ -94,6 +96,27 @@ TEST(Camera, TheEndThatOneLooksFromAlreadyLeadsToTheOther) {
   EXPECT_GT(back().y, 0.99f);
   lookAlongOrBack(camera, 1, true);
   EXPECT_LT(back().y, -0.99f);
+}
+
+TEST(Camera, APointThatOneOrbitsAroundStaysInItsPlace) {
+  CameraState camera;
+  camera.pose.eye = vec3(3, 2, 5);
+  camera.pose.target = vec3(0, 1, 0);
+  const vec3 pivot(1.0f, 1.4f, 1.0f);
+  const auto place = [&] { return projectPoint(deriveCamera(camera.pose, 160, 90, 10.0f), pivot)->pixel; };
+  const vec2 before = place();
+  const float distance = glm::distance(camera.pose.eye, pivot);
+  for (const auto& [turn, rise] : {std::pair{0.7f, 0.2f}, std::pair{-1.9f, -0.6f}, std::pair{0.1f, 3.0f}, std::pair{2.0f, -5.0f}}) {
+    orbitAround(camera, pivot, turn, rise);
+    EXPECT_NEAR(glm::distance(place(), before), 0.0f, 0.05f);
+    EXPECT_NEAR(glm::distance(camera.pose.eye, pivot), distance, 1e-3f);
+  }
+  CameraState a, b;
+  a.pose.eye = b.pose.eye = vec3(3, 2, 5);
+  a.pose.target = b.pose.target = vec3(0, 1, 0);
+  orbitCamera(a, 0.4f, 0.3f);
+  orbitAround(b, b.pose.target, 0.4f, 0.3f);
+  EXPECT_NEAR(glm::distance(a.pose.eye, b.pose.eye), 0.0f, 1e-4f);
 }
 
 }  // namespace
