@@ -1,6 +1,7 @@
 // The ways to the next ray of a kind and to the next cell (model_flow.h); ray_stepping.h has those to steps.
 #include "app/find_next.h"
 #include "app/model_flow.h"
+#include "app/projection.h"
 
 namespace gridscope {
 
@@ -19,8 +20,10 @@ void jumpTo(WindowModel& model, Jump jump) {
 
 void goToNextSaturatedCell(WindowModel& model) {
   if (!model.frame || !model.frame->grid) return;
-  if (const auto cell = nextFullCell(*model.frame->grid, model.selected().cell)) model.selection.selectCell(*cell);
-  else model.showMessage("The grid holds no reference");
+  const auto cell = nextFullCell(*model.frame->grid, model.selected().cell);
+  if (!cell) return model.showMessage("The grid holds no reference");
+  model.selection.selectCell(*cell);
+  model.focusWanted = cellBounds(model.frame->parameters.grid, *cell);
 }
 
 }  // namespace gridscope

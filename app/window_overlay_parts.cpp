@@ -12,11 +12,12 @@ namespace {
 
 constexpr float kDash = 4.0f, kGap = 3.5f;             // pixels at UI scale 1
 constexpr int kMostDashes = 400;
+constexpr float kHiddenAlpha = 0.75f, kHiddenShare = 0.65f;   // of a line's opacity and width where surfaces hide it
 
 void strokePiece(ImDrawList* list, ImVec2 a, ImVec2 b, const LineStyle& style, bool hidden) {
   const bool dashed = style.dashed || (hidden && style.hidden == HiddenParts::dashed);
-  const ImU32 colour = hidden && style.hidden == HiddenParts::dashed ? withAlpha(style.colour, 0.6f) : style.colour;
-  const float width = unit(hidden ? std::min(style.width, 1.4f) : style.width);
+  const ImU32 colour = hidden && style.hidden == HiddenParts::dashed ? withAlpha(style.colour, kHiddenAlpha) : style.colour;
+  const float width = unit(hidden ? std::min(style.width, std::max(1.4f, kHiddenShare * style.width)) : style.width);
   if (dashed) return dashedLine(list, a, b, colour, width);
   list->AddLine(a, b, colour, width);
 }

@@ -16,6 +16,7 @@ namespace gridscope {
 
 namespace {
 
+constexpr float kLeastBetween = 15.0f;                  // from one step's ring to the next, pixels at UI scale 1
 constexpr size_t kMostTriangles = 400;                 // tested ones that are drawn
 
 void drawVisitedCells(const OverlayPainter& painter, const FrameSnapshot& frame, const RecordedRay& ray, uint32_t selected) {
@@ -59,7 +60,7 @@ void drawStepMarks(const OverlayPainter& painter, const RecordedRay& ray, uint32
   ImVec2 last(-1e6f, -1e6f);
   for (uint32_t step = 1; step < ray.record.steps.size(); ++step) {
     const std::optional<ImVec2> at = painter.place(rayPoint(ray.ray, ray.record.steps[step].start));
-    if (!at || !painter.inPane(*at) || std::hypot(at->x - last.x, at->y - last.y) < unit(9)) continue;
+    if (!at || !painter.inPane(*at) || std::hypot(at->x - last.x, at->y - last.y) < unit(kLeastBetween)) continue;
     last = *at;
     painter.list->AddCircleFilled(*at, unit(3.4f), IM_COL32(20, 23, 27, 255), 12);
     painter.list->AddCircle(*at, unit(3.0f), IM_COL32(255, 255, 255, 230), 12, unit(1.2f));

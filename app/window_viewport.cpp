@@ -159,7 +159,7 @@ void barCamera(WindowModel& model, float right, float zoom) {
 
 // With a ray: follow its steps, and go back to where it was recorded from.
 void barRay(WindowModel& model) {
-  if (!shownStep(model) || model.layout == ViewportLayout::compare) return;
+  if (!shownStep(model) || !model.overlays.raySegments || model.layout == ViewportLayout::compare) return;
   ImGui::SameLine(0.0f, unit(12));
   ImGui::Checkbox("Follow step", &model.followStep);
   whyTooltip("The camera goes along with the selected step; the ray stays as it was recorded");
