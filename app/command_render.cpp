@@ -78,6 +78,8 @@ class Render {
     pipeline.trace(false);
     checkStage([](CpuCheck& check) { return check.afterTrace(false); });
 
+    // A capture's own hits are what is shown, as they are what is judged.
+    report_.foreignHits = session_.useCapturedHits(frame);
     findings_.afterTrace(frame);
     for (const View* view : options_.views) writeView(*view, frame);
     report_.frames.push_back(reportFrame(session_, frame, counting));
@@ -127,6 +129,7 @@ class Render {
   int finish() {
     std::FILE* out = textStream(options_);
     if (!report_.frames.empty()) printReport(out, session_, report_);
+    if (report_.foreignHits.value_or(0) > 0) std::fprintf(out, "%-12s%s\n", "hits", foreignHitsText(*report_.foreignHits).c_str());
     std::fprintf(out, "%-12s%zu in %s\n", "pictures", report_.pictures.size(), options_.out.string().c_str());
     if (report_.check) std::fprintf(out, "%-12s%s\n", "check", different() ? report_.check->c_str() : "every product equals the C++ path's");
     if (report_.exact) printExact(out, *report_.exact, session_.pipeline().settings().width);

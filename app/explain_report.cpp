@@ -97,10 +97,6 @@ void printWorst(std::FILE* out, const ExplainReport& report, const CaptureNames&
 
 }  // namespace
 
-std::string foreignHitsText(uint64_t count) {
-  return grouped(count) + " of the capture's hits are not what this trace ends with; they are judged as they are";
-}
-
 ToldRay tellRay(const ExplainReport& report, const CaptureNames& names, uint32_t pixel) {
   const FrameTruth& frame = report.frame;
   const TruthInput input = frame.input();

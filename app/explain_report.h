@@ -34,9 +34,6 @@ struct ToldRay {
 };
 ToldRay tellRay(const ExplainReport& report, const CaptureNames& names, uint32_t pixel);
 
-// "12 of the capture's hits are not what this trace ends with: they are judged as they are".
-std::string foreignHitsText(uint64_t count);
-
 // The tables: verdicts, causes, the meshes and cells that cost most, the worst rays.
 void printExplain(std::FILE* out, const ExplainReport& report, const CaptureNames& names);
 

@@ -77,6 +77,10 @@ FrameReport reportFrame(Session& session, uint32_t frame, bool counted) {
   return report;
 }
 
+std::string foreignHitsText(uint64_t count) {
+  return grouped(count) + " of the capture's hits are not what this trace ends with; they are taken as they are";
+}
+
 std::string refusedFirst(const GridSettings& settings) {
   if (settings.insertion == kInsertionFirstCome) return "refused first: whatever comes last in the race";
   if (settings.numberBy == NumberBy::area) return "refused first: the smallest triangles, then dynamic instances";

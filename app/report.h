@@ -31,6 +31,7 @@ struct RenderReport {
   double startMs = 0.0;                  // load, upload, compile
   std::vector<FrameReport> frames;       // empty when the build already differed from C++
   std::vector<std::string> pictures;     // files written
+  std::optional<uint64_t> foreignHits;   // of the last frame's captured hits: how many are not what the trace ends with; nothing: none captured
   std::optional<ExactComparison> exact;  // of --check-exact
   std::optional<std::string> check;      // of --check-cpu: the first difference; empty: all equal
 };
@@ -47,6 +48,9 @@ inline constexpr size_t kMostExactDifferences = 5;
 
 // How many rays agree with the exact hits, and each that does not.
 void printExact(std::FILE* out, const ExactComparison& exact, uint32_t frameWidth);
+
+// "12 of the capture's hits are not what this trace ends with; they are taken as they are".
+std::string foreignHitsText(uint64_t count);
 
 // One sentence: what full cells refuse first under these settings.
 std::string refusedFirst(const GridSettings& settings);

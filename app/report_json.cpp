@@ -80,6 +80,7 @@ Json reportJson(const Session& session, const RenderReport& report) {
   json["references"] = referencesJson(last);
   json["cells"] = cellsJson(last);
   json["rays"] = raysJson(last.rays);
+  if (report.foreignHits) json["foreignHits"] = *report.foreignHits;
   if (last.counters) json["visits"] = summaryJson(last.counters->visits);
   if (last.counters) json["tests"] = summaryJson(last.counters->tests);
   json["timesMs"] = timesJson(last.times);

@@ -62,6 +62,9 @@ TEST_F(JudgedFrames, ExplainCheckAndReportJudgeTheHitsThatACaptureHolds) {
     ASSERT_EQ(run({"report", file, "-o", "report.html"}).exitCode, 0);
     EXPECT_EQ(figureOf(fileText(folder_ / "report.html"), "wrong"), grouped(explained["wrong"].get<uint64_t>())) << file;
   }
+  const Json rendered = results({"render", "other.gridcap", "--view", "hit-kind"}), checked = results({"check", "other.gridcap"});
+  EXPECT_EQ(rendered["rays"]["misses"], checked["hits"]["miss"]) << "pictures show what is judged";
+  EXPECT_EQ(rendered["foreignHits"], checked["foreignHits"]);
   const Json other = results({"explain", "other.gridcap"});
   EXPECT_GT(other["foreignHits"], 0);
   EXPECT_NE(ended_.out.find("are not what this trace ends with"), std::string::npos) << ended_.out;
