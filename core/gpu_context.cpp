@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cctype>
 #include <cstring>
+#include <mutex>
+#include <span>
 
 namespace gridscope {
 namespace {
@@ -23,6 +25,13 @@ struct Features {
 bool loaderReady() {
   static const bool ready = volkInitialize() == VK_SUCCESS;
   return ready;
+}
+
+// Once for the process, from its first instance: the loader's entry points, which look at their handle to find its device and the layers
+// of that device. Contexts on several threads share them; functions of one device alone would not do for another.
+void loadFunctions(VkInstance instance) {
+  static std::once_flag loaded;
+  std::call_once(loaded, [&] { volkLoadInstance(instance); });
 }
 
 std::string lower(std::string text) {
@@ -144,11 +153,24 @@ VKAPI_ATTR VkBool32 VKAPI_CALL onMessage(VkDebugUtilsMessageSeverityFlagBitsEXT 
   return VK_FALSE;
 }
 
-VkApplicationInfo applicationInfo() {
-  VkApplicationInfo info{VK_STRUCTURE_TYPE_APPLICATION_INFO};
-  info.pApplicationName = "gridscope";
-  info.apiVersion = kApiVersion;
-  return info;
+// `layers`, `next`: of validation.
+VkInstance makeInstance(std::span<const char* const> layers = {}, const void* next = nullptr) {
+  VkApplicationInfo application{VK_STRUCTURE_TYPE_APPLICATION_INFO};
+  application.pApplicationName = "gridscope";
+  application.apiVersion = kApiVersion;
+  std::vector<const char*> extensions;
+  if (hasInstanceExtension(VK_EXT_DEBUG_UTILS_EXTENSION_NAME)) extensions.push_back(VK_EXT_DEBUG_UTILS_EXTENSION_NAME);
+  VkInstanceCreateInfo info{VK_STRUCTURE_TYPE_INSTANCE_CREATE_INFO};
+  info.pNext = next;
+  info.pApplicationInfo = &application;
+  info.enabledExtensionCount = uint32_t(extensions.size());
+  info.ppEnabledExtensionNames = extensions.data();
+  info.enabledLayerCount = uint32_t(layers.size());
+  info.ppEnabledLayerNames = layers.data();
+  VkInstance instance = VK_NULL_HANDLE;
+  VK_CHECK(vkCreateInstance(&info, nullptr, &instance));
+  loadFunctions(instance);
+  return instance;
 }
 
 // The chosen device's place in the loader's order.
@@ -213,12 +235,12 @@ void checkVulkan(VkResult result, const char* call) {
 
 std::vector<DeviceReport> listDevices() {
   if (!loaderReady()) return {};
-  VkApplicationInfo application = applicationInfo();
-  VkInstanceCreateInfo info{VK_STRUCTURE_TYPE_INSTANCE_CREATE_INFO};
-  info.pApplicationInfo = &application;
   VkInstance instance = VK_NULL_HANDLE;
-  if (vkCreateInstance(&info, nullptr, &instance) != VK_SUCCESS) return {};
-  volkLoadInstanceOnly(instance);
+  try {
+    instance = makeInstance();
+  } catch (const Error&) {
+    return {};   // a loader without a driver
+  }
   std::vector<DeviceReport> reports;
   for (VkPhysicalDevice device : physicalDevices(instance)) reports.push_back(reportDevice(device));
   vkDestroyInstance(instance, nullptr);
@@ -238,29 +260,14 @@ GpuContext::GpuContext(const GpuOptions& options) {
 }
 
 void GpuContext::createInstance(bool validation) {
-  VkApplicationInfo application = applicationInfo();
-  VkInstanceCreateInfo info{VK_STRUCTURE_TYPE_INSTANCE_CREATE_INFO};
-  info.pApplicationInfo = &application;
-  std::vector<const char*> extensions, layers;
-  if (hasInstanceExtension(VK_EXT_DEBUG_UTILS_EXTENSION_NAME)) extensions.push_back(VK_EXT_DEBUG_UTILS_EXTENSION_NAME);
-
   // Core and synchronization validation.
   const char* layer = "VK_LAYER_KHRONOS_validation";
   VkValidationFeatureEnableEXT enables[] = {VK_VALIDATION_FEATURE_ENABLE_SYNCHRONIZATION_VALIDATION_EXT};
   VkValidationFeaturesEXT features{VK_STRUCTURE_TYPE_VALIDATION_FEATURES_EXT};
   features.enabledValidationFeatureCount = 1;
   features.pEnabledValidationFeatures = enables;
-  if (validation) {
-    if (!hasLayer(layer)) throw Error("--validation: the validation layer is not installed (Debian: vulkan-validationlayers)", kExitDevice);
-    layers.push_back(layer);
-    info.pNext = &features;
-  }
-  info.enabledExtensionCount = uint32_t(extensions.size());
-  info.ppEnabledExtensionNames = extensions.data();
-  info.enabledLayerCount = uint32_t(layers.size());
-  info.ppEnabledLayerNames = layers.data();
-  VK_CHECK(vkCreateInstance(&info, nullptr, &instance_));
-  volkLoadInstanceOnly(instance_);
+  if (validation && !hasLayer(layer)) throw Error("--validation: the validation layer is not installed (Debian: vulkan-validationlayers)", kExitDevice);
+  instance_ = validation ? makeInstance(std::span(&layer, 1), &features) : makeInstance();
 
   if (validation) {
     VkDebugUtilsMessengerCreateInfoEXT messenger{VK_STRUCTURE_TYPE_DEBUG_UTILS_MESSENGER_CREATE_INFO_EXT};
@@ -294,7 +301,6 @@ void GpuContext::createDevice() {
   info.queueCreateInfoCount = 1;
   info.pQueueCreateInfos = &queue;
   VK_CHECK(vkCreateDevice(physicalDevice_, &info, nullptr, &device_));
-  volkLoadDevice(device_);
   vkGetDeviceQueue(device_, queueFamily_, 0, &queue_);
 
   VkPhysicalDeviceProperties properties;
