@@ -17,6 +17,18 @@ void checkWalked(const BuildReport& report, const char* stage) {
 
 ivec3 alongX(uint32_t count) { return {int(count), 1, 1}; }
 
+// Triangles of one submission of a build: a fifth of a second or so on the slowest device, after which it can be given up.
+constexpr uint32_t kPieceTriangles = 1u << 19;
+
+// Instances from `begin` on whose triangles fill one piece.
+InstanceRange pieceFrom(const NumberedScene& scene, uint32_t begin, uint32_t end) {
+  InstanceRange piece{begin, begin};
+  uint32_t triangles = 0;
+  while (piece.end < end && (piece.end == begin || triangles + scene.instances[piece.end].triangleCount <= kPieceTriangles))
+    triangles += scene.instances[piece.end++].triangleCount;
+  return piece;
+}
+
 }  // namespace
 
 void GpuStages::makeGrid(const GridParameters& grid) {
@@ -114,13 +126,22 @@ BuildReport GpuStages::readReport(const char* stage) {
   return report;
 }
 
-BuildReport GpuStages::build(Builder builder, BuildTimes& times) {
-  GpuCommands commands(gpu_);
-  zero(commands, kBindBuildReport);
-  commands.pass("clear", [&] { clearGrid(commands); });
-  commands.pass("build", [&] { add(commands, builder, {0, numbered_.staticInstanceCount}); });
-  PassTimes measured = commands.run();
-  times = {measured["clear"], measured["build"]};
+BuildReport GpuStages::build(Builder builder, BuildTimes& times, const std::function<bool(float)>& goesOn) {
+  const uint32_t end = numbered_.staticInstanceCount;
+  times = {};
+  InstanceRange piece = pieceFrom(numbered_, 0, end);
+  for (bool first = true; first || piece.begin < end; first = false, piece = pieceFrom(numbered_, piece.end, end)) {
+    if (goesOn && !goesOn(float(piece.begin) / float(std::max(end, 1u)))) throw Error("the build was cancelled");
+    GpuCommands commands(gpu_);
+    if (first) {
+      zero(commands, kBindBuildReport);
+      commands.pass("clear", [&] { clearGrid(commands); });
+    }
+    commands.pass("build", [&] { add(commands, builder, piece); });
+    PassTimes measured = commands.run();
+    times.clear += measured["clear"];
+    times.add += measured["build"];
+  }
   return readReport("build");
 }
 

@@ -9,6 +9,8 @@ constexpr VkFormat kDepthFormat = VK_FORMAT_D32_SFLOAT;
 
 }  // namespace
 
+void GpuStages::tryShaders(GpuContext& gpu) { GpuPrograms(gpu).makeAll(kVisibilityFormat, kDepthFormat); }
+
 void GpuStages::makeTargets(uint32_t width, uint32_t height) {
   if (std::max(width, height) > gpu_.report().maxImage2DSide)
     throw Error("--size: an image of " + std::to_string(width) + " x " + std::to_string(height) + " is larger than " + gpu_.report().name +

@@ -36,8 +36,14 @@ VkPipelineShaderStageCreateInfo stageInfo(VkShaderStageFlagBits stage, VkShaderM
   return info;
 }
 
+Error refusal(const std::string& stem, VkResult result) {
+  return Error(stem + ": the device refuses this pass (" + resultName(result) + ")", kExitDevice);
+}
+
+}  // namespace
+
 // What the two graphics passes have in common: triangles without vertex buffers, no culling, no blending.
-struct GraphicsState {
+struct GpuPrograms::GraphicsState {
   VkPipelineVertexInputStateCreateInfo vertex{VK_STRUCTURE_TYPE_PIPELINE_VERTEX_INPUT_STATE_CREATE_INFO};
   VkPipelineInputAssemblyStateCreateInfo assembly{VK_STRUCTURE_TYPE_PIPELINE_INPUT_ASSEMBLY_STATE_CREATE_INFO};
   VkPipelineViewportStateCreateInfo viewport{VK_STRUCTURE_TYPE_PIPELINE_VIEWPORT_STATE_CREATE_INFO};
@@ -61,7 +67,7 @@ struct GraphicsState {
   }
   GraphicsState(const GraphicsState&) = delete;
 
-  VkPipeline make(VkDevice device, VkPipelineLayout layout, std::span<const VkPipelineShaderStageCreateInfo> stages) {
+  VkResult make(VkDevice device, VkPipelineLayout layout, std::span<const VkPipelineShaderStageCreateInfo> stages, VkPipeline& pipeline) {
     VkGraphicsPipelineCreateInfo info{VK_STRUCTURE_TYPE_GRAPHICS_PIPELINE_CREATE_INFO};
     info.pNext = &rendering;
     info.stageCount = uint32_t(stages.size());
@@ -75,13 +81,9 @@ struct GraphicsState {
     info.pColorBlendState = &blend;
     info.pDynamicState = &dynamic;
     info.layout = layout;
-    VkPipeline pipeline = VK_NULL_HANDLE;
-    VK_CHECK(vkCreateGraphicsPipelines(device, VK_NULL_HANDLE, 1, &info, nullptr, &pipeline));
-    return pipeline;
+    return vkCreateGraphicsPipelines(device, VK_NULL_HANDLE, 1, &info, nullptr, &pipeline);
   }
 };
-
-}  // namespace
 
 GpuPrograms::GpuPrograms(GpuContext& gpu) : gpu_(gpu) {
   std::vector<VkDescriptorSetLayoutBinding> bindings;
@@ -203,7 +205,7 @@ GpuPrograms::Program& GpuPrograms::program(const std::string& stem) {
   info.layout = layout_;
   VkResult result = vkCreateComputePipelines(gpu_.device(), VK_NULL_HANDLE, 1, &info, nullptr, &program.pipeline);
   vkDestroyShaderModule(gpu_.device(), module, nullptr);
-  checkVulkan(result, "vkCreateComputePipelines");
+  if (result < 0) throw refusal(stem, result);
   gpu_.name(VK_OBJECT_TYPE_PIPELINE, uint64_t(program.pipeline), stem);
   return programs_.emplace(key(stem), program).first->second;
 }
@@ -247,43 +249,48 @@ void GpuPrograms::bindGraphics(GpuCommands& commands, VkPipeline pipeline) {
   vkCmdBindDescriptorSets(commands.handle(), VK_PIPELINE_BIND_POINT_GRAPHICS, layout_, 0, 1, &set_, 0, nullptr);
 }
 
-void GpuPrograms::bindBuildRaster(GpuCommands& commands) {
-  VkPipeline& pipeline = graphics_[key("build_raster")];
-  if (!pipeline) {
-    VkSpecializationInfo constants = specialization(specialized_);
-    VkShaderModule vertex = makeModule("build_raster_vert"), geometry = makeModule("build_raster_geom");
-    VkPipelineShaderStageCreateInfo stages[] = {stageInfo(VK_SHADER_STAGE_VERTEX_BIT, vertex, constants),
-                                                stageInfo(VK_SHADER_STAGE_GEOMETRY_BIT, geometry, constants)};
-    GraphicsState state;
-    state.raster.rasterizerDiscardEnable = VK_TRUE;
-    pipeline = state.make(gpu_.device(), layout_, stages);
-    vkDestroyShaderModule(gpu_.device(), vertex, nullptr);
-    vkDestroyShaderModule(gpu_.device(), geometry, nullptr);
-  }
-  bindGraphics(commands, pipeline);
+VkPipeline GpuPrograms::graphics(const std::string& stem, std::initializer_list<GraphicsStage> stages, GraphicsState& state) {
+  VkPipeline& pipeline = graphics_[key(stem)];
+  if (pipeline) return pipeline;
+  const VkSpecializationInfo constants = specialization(specialized_);
+  std::vector<VkPipelineShaderStageCreateInfo> infos;
+  for (const auto& [stage, ending] : stages) infos.push_back(stageInfo(stage, makeModule(stem + ending), constants));
+  const VkResult result = state.make(gpu_.device(), layout_, infos, pipeline);
+  for (const VkPipelineShaderStageCreateInfo& info : infos) vkDestroyShaderModule(gpu_.device(), info.module, nullptr);
+  if (result < 0) throw refusal(stem, result);
+  return pipeline;
 }
 
+VkPipeline GpuPrograms::buildRaster() {
+  GraphicsState state;
+  state.raster.rasterizerDiscardEnable = VK_TRUE;
+  return graphics("build_raster", {{VK_SHADER_STAGE_VERTEX_BIT, "_vert"}, {VK_SHADER_STAGE_GEOMETRY_BIT, "_geom"}}, state);
+}
+
+VkPipeline GpuPrograms::gather(VkFormat colour, VkFormat depth) {
+  GraphicsState state;
+  state.viewport.viewportCount = state.viewport.scissorCount = 1;
+  state.dynamic.dynamicStateCount = 2;
+  state.depth.depthTestEnable = state.depth.depthWriteEnable = VK_TRUE;
+  state.depth.depthCompareOp = VK_COMPARE_OP_GREATER;  // reversed depth: near is 1
+  state.blend.attachmentCount = 1;
+  state.rendering.colorAttachmentCount = 1;
+  state.rendering.pColorAttachmentFormats = &colour;
+  state.rendering.depthAttachmentFormat = depth;
+  return graphics("gather", {{VK_SHADER_STAGE_VERTEX_BIT, "_vert"}, {VK_SHADER_STAGE_FRAGMENT_BIT, "_frag"}}, state);
+}
+
+void GpuPrograms::makeAll(VkFormat colour, VkFormat depth) {
+  for (const ShaderCode& shader : allShaders())
+    if (shader.source.ends_with(".comp")) program(std::string(shader.stem));
+  gather(colour, depth);
+  if (gpu_.report().geometryStage) buildRaster();
+}
+
+void GpuPrograms::bindBuildRaster(GpuCommands& commands) { bindGraphics(commands, buildRaster()); }
+
 void GpuPrograms::bindGather(GpuCommands& commands, VkFormat colour, VkFormat depth, VkExtent2D extent) {
-  VkPipeline& pipeline = graphics_[key("gather")];
-  if (!pipeline) {
-    VkSpecializationInfo constants = specialization(specialized_);
-    VkShaderModule vertex = makeModule("gather_vert"), fragment = makeModule("gather_frag");
-    VkPipelineShaderStageCreateInfo stages[] = {stageInfo(VK_SHADER_STAGE_VERTEX_BIT, vertex, constants),
-                                                stageInfo(VK_SHADER_STAGE_FRAGMENT_BIT, fragment, constants)};
-    GraphicsState state;
-    state.viewport.viewportCount = state.viewport.scissorCount = 1;
-    state.dynamic.dynamicStateCount = 2;
-    state.depth.depthTestEnable = state.depth.depthWriteEnable = VK_TRUE;
-    state.depth.depthCompareOp = VK_COMPARE_OP_GREATER;  // reversed depth: near is 1
-    state.blend.attachmentCount = 1;
-    state.rendering.colorAttachmentCount = 1;
-    state.rendering.pColorAttachmentFormats = &colour;
-    state.rendering.depthAttachmentFormat = depth;
-    pipeline = state.make(gpu_.device(), layout_, stages);
-    vkDestroyShaderModule(gpu_.device(), vertex, nullptr);
-    vkDestroyShaderModule(gpu_.device(), fragment, nullptr);
-  }
-  bindGraphics(commands, pipeline);
+  bindGraphics(commands, gather(colour, depth));
   VkViewport viewport{0.0f, 0.0f, float(extent.width), float(extent.height), 0.0f, 1.0f};
   VkRect2D scissor{{0, 0}, extent};
   vkCmdSetViewport(commands.handle(), 0, 1, &viewport);

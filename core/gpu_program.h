@@ -26,6 +26,9 @@ class GpuPrograms {
   // Constants that pipelines made or found from now on are specialized for.
   void specialize(const SpecializedSettings& settings) { specialized_ = settings; }
 
+  // Makes every pass of the program from its present shader. Throws Error for the first that the device refuses.
+  void makeAll(VkFormat colour, VkFormat depth);
+
   // Records one workgroup of a pass with zeroed push constants: drivers compile at the first dispatch. True when the pass was cold.
   bool warm(GpuCommands& commands, const std::string& stem);
 
@@ -47,12 +50,21 @@ class GpuPrograms {
     bool warm = false;   // dispatched before
   };
 
+  struct GraphicsState;
+  struct GraphicsStage {
+    VkShaderStageFlagBits stage;
+    const char* ending;   // of the shader's stem, behind the pass' own
+  };
+
   void writeDescriptor(int binding, const VkDescriptorBufferInfo* buffer, const VkDescriptorImageInfo* image);
   void bindPlaceholders();
   std::string key(const std::string& stem) const;   // of a pass with the present constants
   VkShaderModule makeModule(const std::string& stem);
   Program& program(const std::string& stem);
   void begin(GpuCommands& commands, const Program& program, const std::string& stem, std::span<const std::byte> arguments);
+  VkPipeline graphics(const std::string& stem, std::initializer_list<GraphicsStage> stages, GraphicsState& state);
+  VkPipeline buildRaster();
+  VkPipeline gather(VkFormat colour, VkFormat depth);
   void bindGraphics(GpuCommands& commands, VkPipeline pipeline);
 
   GpuContext& gpu_;

@@ -2,6 +2,7 @@
 // gpu_scene.cpp uploads the scene, gpu_build.cpp builds and updates, gpu_gather.cpp gathers, bounces and fills views, gpu_trace.cpp traces.
 #pragma once
 
+#include <functional>
 #include <span>
 #include <string>
 #include <vector>
@@ -29,6 +30,9 @@ class GpuStages {
   GpuStages(GpuContext& gpu, std::span<const Image> images, const NumberedScene& numbered, const FrameSettings& settings);
   ~GpuStages();
 
+  // Makes every pass from its present shader, and lets go of it. Throws Error for the first that the device refuses.
+  static void tryShaders(GpuContext& gpu);
+
   // Allocates the grid image; its preflight is checkGridFits().
   void makeGrid(const GridParameters& grid);
   // Allocates what a frame of that size needs.
@@ -38,8 +42,9 @@ class GpuStages {
   void setParameters(const FrameParameters& parameters);
   void setInstances(std::span<const Instance> instances);
 
-  // Build of the static instances into an empty grid. Throws Error (kExitDevice) when a loop was cut short.
-  BuildReport build(Builder builder, BuildTimes& times);
+  // Build of the static instances into an empty grid. Throws Error (kExitDevice) when a loop was cut short, and when `goesOn`, which is told
+  // how much is done (0..1), says no.
+  BuildReport build(Builder builder, BuildTimes& times, const std::function<bool(float)>& goesOn = {});
   // Update of the dynamic instances, whose new transforms are in the instances already.
   UpdateReport updateAll(Builder builder, BuildTimes& times);
   UpdateReport updateMoved(std::span<const uint32_t> moved, BuildTimes& times);

@@ -27,6 +27,8 @@ std::vector<std::string> framePasses(StageDevice device) {
 
 }  // namespace
 
+void tryShaders(GpuContext& gpu) { GpuStages::tryShaders(gpu); }
+
 Pipeline::Pipeline(GpuContext& gpu, const Scene& scene, const FrameSettings& settings, StageDevice device)
     : gpu_(gpu), scene_(&scene), name_(scene.name), settings_(settings), device_(device),
       bounds_(settings.grid.bounds.value_or(sceneBounds(scene))), numbered_(numberScene(scene, settings.grid.numberBy)) {
@@ -83,7 +85,8 @@ void Pipeline::setBounce(const BounceSettings& settings) {
 }
 
 void Pipeline::setGrid(const GridSettings& settings) {
-  CHECK(settings.numberBy == settings_.grid.numberBy && !bounds_.empty());
+  if (settings.numberBy != settings_.grid.numberBy) throw Error(name_ + ": its references are numbered already; another order needs the scene");
+  if (bounds_.empty()) throw Error(name_ + ": it does not say its scene's bounds, so its grid's settings are fixed");
   const bool onDevice = device_ == StageDevice::vulkan;
   const GridParameters grid = deriveGrid(settings, settings.bounds.value_or(bounds_), numbered_);
   checkGridFits(settings, grid, onDevice ? gpu_.gridLimits() : GridLimits{});
@@ -102,14 +105,14 @@ void Pipeline::setSize(uint32_t width, uint32_t height) {
   stages_->setParameters(parameters_);
 }
 
-void Pipeline::build() {
+void Pipeline::build(const std::function<bool(float)>& goesOn) {
   dynamicAdded_ = false;
   updateReport_ = {};
   dynamicTried_ = 0;
   if (device_ == StageDevice::vulkan) {
     stages_->setParameters(parameters_);
     BuildTimes times;
-    buildReport_ = stages_->build(settings_.grid.builder, times);
+    buildReport_ = stages_->build(settings_.grid.builder, times, goesOn);
     times_.build = times.clear + times.add;
     return;
   }

@@ -2,6 +2,7 @@
 // stage reads the products of those before it. Build, update and trace run on the Vulkan device or, with StageDevice::cpu, in C++.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -51,6 +52,9 @@ struct SliceSettings {
   int index = -1;
 };
 
+// Can the device make every pass from its present shader (shader_code.h)? Throws Error for the first that it refuses.
+void tryShaders(GpuContext& gpu);
+
 class Pipeline {
  public:
   // Numbers and uploads the scene; throws Error when the scene or the grid does not fit. `scene` must outlive the pipeline.
@@ -60,8 +64,9 @@ class Pipeline {
   Pipeline(GpuContext& gpu, PipelineInputs inputs, StageDevice device = StageDevice::vulkan);
   ~Pipeline();
 
-  // Stages, in this order. build() ends with a grid of the static instances alone.
-  void build();
+  // Stages, in this order. build() ends with a grid of the static instances alone. On the Vulkan device `goesOn` is told how much of it is done
+  // (0..1); where it says no, build() throws Error, and must run again before the other stages.
+  void build(const std::function<bool(float)>& goesOn = {});
   void update(float timeSeconds);              // moves the dynamic instances; the first after a build adds all of them
   void update(std::span<const Instance> instances);  // the same with all instances as of the new frame; static ones must not differ
   void gather();
@@ -101,7 +106,8 @@ class Pipeline {
   void setCamera(const CameraPose& camera);
   void setTrace(const TraceSettings& settings);
   void setBounce(const BounceSettings& settings);
-  // Another grid for the same numbering (numberBy must not differ): build() comes next. Throws Error, and changes nothing, when it does not fit.
+  // Another grid for the same numbering: build() comes next. Throws Error, and changes nothing, when it does not fit, when numberBy differs,
+  // or when the bounds of the scene are not known.
   void setGrid(const GridSettings& settings);
   // Another frame size: gather() comes next.
   void setSize(uint32_t width, uint32_t height);

@@ -165,6 +165,7 @@ Bounds dynamicBounds(const Scene& scene) {
     for (const SceneInstance& instance : scene.instances) {
       if (!instance.dynamic) continue;
       const auto& positions = scene.meshes[instance.mesh].positions;
+      if (positions.empty()) continue;   // has no box
       auto& box = corners[instance.mesh];
       if (!exact && box.empty()) box = cornersOf(positions);
       includeVertices(bounds, exact ? positions : box, transforms[instance.node] * instance.local);

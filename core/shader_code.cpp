@@ -2,6 +2,8 @@
 #include "core/shader_code.h"
 
 #include <algorithm>
+#include <list>
+#include <mutex>
 #include <set>
 #include <unordered_map>
 
@@ -75,15 +77,32 @@ struct TypeSizes {
 
 }  // namespace
 
-static std::map<std::string, std::vector<uint32_t>>& replacedShaders() {
-  static std::map<std::string, std::vector<uint32_t>> replaced;
+// What replaces the embedded passes. Earlier replacements stay: another thread may be making a pass from one.
+struct ReplacedShaders {
+  std::mutex mutex;
+  std::list<ShaderWords> generations{1};
+};
+
+static ReplacedShaders& replacedShaders() {
+  static ReplacedShaders replaced;
   return replaced;
 }
 
-void replaceShaders(std::map<std::string, std::vector<uint32_t>> wordsByStem) { replacedShaders() = std::move(wordsByStem); }
+ShaderWords replaceShaders(ShaderWords wordsByStem) {
+  ReplacedShaders& replaced = replacedShaders();
+  const std::lock_guard lock(replaced.mutex);
+  const ShaderWords before = replaced.generations.back();
+  replaced.generations.push_back(std::move(wordsByStem));
+  return before;
+}
 
 std::span<const uint32_t> shaderCode(std::string_view stem) {
-  if (const auto found = replacedShaders().find(std::string(stem)); found != replacedShaders().end()) return found->second;
+  {
+    ReplacedShaders& replaced = replacedShaders();
+    const std::lock_guard lock(replaced.mutex);
+    const ShaderWords& now = replaced.generations.back();
+    if (const auto found = now.find(std::string(stem)); found != now.end()) return found->second;
+  }
   for (const ShaderCode& shader : allShaders())
     if (shader.stem == stem) return shader.words;
   CHECK_EQ(stem, "a shader that was built");

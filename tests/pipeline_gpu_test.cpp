@@ -90,5 +90,44 @@ TEST_F(GpuTest, DevicePassesTheSelfTest) {
   EXPECT_TRUE(result.passed());
 }
 
+// Functions of one device called with another's handles crash in the driver, or go past the validation layer.
+TEST_F(GpuTest, ASecondContextThatComesAndGoesLeavesTheFirstAlone) {
+  const Scene scene = makeBuiltInScene("saturated-cell");
+  FrameSettings settings{.width = 48, .height = 27, .camera = defaultCamera(scene)};
+  Pipeline first(gpu(), scene, settings);
+  expectEqualsCpu(first, false);
+  {
+    GpuContext other({.device = ""});
+    Pipeline second(other, scene, settings);
+    expectEqualsCpu(second, false);
+    expectEqualsCpu(first, false);
+    expectEqualsCpu(second, false);
+  }
+  expectEqualsCpu(first, false);
+}
+
+TEST_F(GpuTest, AnotherOrderOfReferencesAndUnknownBoundsAreRefusedInWords) {
+  const Scene scene = makeBuiltInScene("saturated-cell");
+  FrameSettings settings{.width = 16, .height = 9, .camera = defaultCamera(scene)};
+  Pipeline pipeline(gpu(), scene, settings);
+  GridSettings byArea = settings.grid;
+  byArea.numberBy = NumberBy::area;
+  EXPECT_THROW(pipeline.setGrid(byArea), Error);
+  Pipeline captured(gpu(), PipelineInputs{.name = "foreign", .numbered = pipeline.numbered(), .settings = settings, .parameters = pipeline.parameters()});
+  GridSettings finer = settings.grid;
+  finer.capacity += 1;
+  EXPECT_THROW(captured.setGrid(finer), Error);
+}
+
+TEST_F(GpuTest, ABuildIsCancelledBeforeAPieceAndRunsAgain) {
+  const Scene scene = makeBuiltInScene("saturated-cell");
+  FrameSettings settings{.width = 16, .height = 9, .camera = defaultCamera(scene)};
+  Pipeline pipeline(gpu(), scene, settings);
+  EXPECT_THROW(pipeline.build([](float) { return false; }), Error);
+  expectEqualsCpu(pipeline, false);
+}
+
+TEST_F(GpuTest, EveryPassOfTheProgramIsTakenByTheDevice) { EXPECT_NO_THROW(tryShaders(gpu())); }
+
 }  // namespace
 }  // namespace gridscope
