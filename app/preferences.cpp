@@ -55,8 +55,7 @@ void readPreferences(WindowModel& model, const std::filesystem::path& file) {
   }
 }
 
-void writePreferences(const WindowModel& model, const std::filesystem::path& file) {
-  if (file.empty()) return;
+std::string preferencesText(const WindowModel& model) {
   json bookmarks = json::object();
   for (const auto& [scene, list] : model.savedBookmarks)
     for (const Bookmark& one : list)
@@ -66,15 +65,34 @@ void writePreferences(const WindowModel& model, const std::filesystem::path& fil
                       {"bottom", model.splits.bottom}, {"uiScale", model.uiScale},
                       {"theme", model.theme == Theme::light ? "light" : "dark"},
                       {"colourMap", model.colourMap},  {"recentFiles", model.recentFiles}, {"bookmarks", bookmarks}};
+  return saved.dump(2, ' ', false, json::error_handler_t::replace) + "\n";
+}
+
+void writePreferences(const std::string& text, const std::filesystem::path& file) {
+  if (file.empty()) return;
   std::error_code fault;
   std::filesystem::create_directories(file.parent_path(), fault);
   const std::filesystem::path temporary = file.string() + ".new";
   {
     std::ofstream out(temporary);
-    out << saved.dump(2) << "\n";
+    out << text;
     if (!out) return;
   }
   std::filesystem::rename(temporary, file, fault);
+}
+
+void PreferenceKeeper::look(const WindowModel& model) {
+  constexpr double kSeconds = 3.0;   // between two looks
+  if (model.now - looked_ < kSeconds) return;
+  looked_ = model.now;
+  end(model);
+}
+
+void PreferenceKeeper::end(const WindowModel& model) {
+  std::string text = preferencesText(model);
+  if (text == written_) return;
+  writePreferences(text, file_);
+  written_ = std::move(text);
 }
 
 }  // namespace gridscope

@@ -62,6 +62,28 @@ WindowDevice::~WindowDevice() {
   if (instance_) vulkan_.DestroyInstance(instance_, nullptr);
 }
 
+std::string WindowDevice::whyNone() {
+  const std::string none = "no Vulkan device can show pictures on this display";
+  if (!glfwVulkanSupported()) return none;
+  try {
+    WindowDevice probe;
+    probe.createInstance(false);
+    uint32_t count = 0;
+    VK_CHECK(probe.vulkan_.EnumeratePhysicalDevices(probe.instance_, &count, nullptr));
+    std::vector<VkPhysicalDevice> devices(count);
+    VK_CHECK(probe.vulkan_.EnumeratePhysicalDevices(probe.instance_, &count, devices.data()));
+    for (VkPhysicalDevice device : devices) {
+      uint32_t families = 0;
+      probe.vulkan_.GetPhysicalDeviceQueueFamilyProperties(device, &families, nullptr);
+      for (uint32_t family = 0; family < families; ++family)
+        if (glfwGetPhysicalDevicePresentationSupport(probe.instance_, device, family)) return "";
+    }
+  } catch (const Error& error) {
+    return none + " (" + error.what() + ")";
+  }
+  return none;
+}
+
 void WindowDevice::createInstance(bool validation) {
   vulkan_.GetInstanceProcAddr = reinterpret_cast<PFN_vkGetInstanceProcAddr>(glfwGetInstanceProcAddress(nullptr, "vkGetInstanceProcAddr"));
   uint32_t count = 0;

@@ -3,6 +3,7 @@
 
 #include <atomic>
 #include <cstdint>
+#include <string>
 
 #include "app/window_vulkan.h"
 
@@ -15,6 +16,9 @@ class WindowDevice {
   // Throws Error (kExitDevice) when no device can show pictures in this window.
   WindowDevice(GLFWwindow* window, bool validation);
   ~WindowDevice();
+
+  // Why no device can show pictures on this display; empty: one can. GLFW must be initialized.
+  static std::string whyNone();
   WindowDevice(const WindowDevice&) = delete;
   WindowDevice& operator=(const WindowDevice&) = delete;
 
@@ -32,6 +36,7 @@ class WindowDevice {
   void waitIdle() const;
 
  private:
+  WindowDevice() = default;
   void createInstance(bool validation);
   void chooseDevice();
   void createDevice();
