@@ -7,6 +7,7 @@
 #include <glm/gtc/quaternion.hpp>
 
 #include "app/held_ray.h"
+#include "app/table_rows.h"
 
 namespace gridscope {
 
@@ -120,16 +121,10 @@ Bounds selectedBounds(const WindowModel& model) {
   if (!model.frame || !model.frame->scene) return bounds;
   const FrameSnapshot& frame = *model.frame;
   const Selection& selected = model.selected();
-  const GridParameters& grid = frame.parameters.grid;
+  const GridParameters& grid = frame.gridShape();
   const auto includeCell = [&](const ivec3& cell) {
     const vec3 low = grid.origin + vec3(cell) * grid.cellEdge;
     bounds.include(low), bounds.include(low + vec3(grid.cellEdge));
-  };
-  const auto includeReference = [&](uint32_t reference) {
-    const uint32_t instance = referenceInstance(reference);
-    if (!frame.worldTriangles || !frame.instances || instance >= frame.instances->size()) return;
-    const Triangle& t = (*frame.worldTriangles)[(*frame.instances)[instance].firstWorldTriangle + referenceTriangle(reference)];
-    bounds.include(t.a), bounds.include(t.b), bounds.include(t.c);
   };
   switch (selected.last) {
     case Selected::nothing: break;
@@ -145,15 +140,8 @@ Bounds selectedBounds(const WindowModel& model) {
       if (const auto ray = shownRay(model); ray && selected.step < ray->record.steps.size()) includeCell(ray->record.steps[selected.step].cell);
       break;
     case Selected::cell: includeCell(*selected.cell); break;
-    case Selected::triangle: includeReference(*selected.reference); break;
-    case Selected::instance:
-      if (!frame.worldTriangles || !frame.instances) break;
-      for (size_t i = 0; i < frame.scene->numbered.sources.size(); ++i) {
-        if (frame.scene->numbered.sources[i].sceneInstance != *selected.instance) continue;
-        const Instance& instance = (*frame.instances)[i];
-        for (uint32_t t = 0; t < instance.triangleCount; ++t) includeReference(makeReference(uint32_t(i), t));
-      }
-      break;
+    case Selected::triangle: bounds = boundsOfTriangle(frame, *selected.reference); break;
+    case Selected::instance: bounds = boundsOfInstance(frame, *selected.instance); break;
   }
   return bounds;
 }

@@ -71,46 +71,4 @@ std::optional<uint32_t> neighbourRay(const FrameSnapshot& frame, std::span<const
   return pixel;
 }
 
-FullCell fullnessOf(const Grid& grid, const ivec3& cell) {
-  const GridParameters& shape = grid.parameters;
-  FullCell full{.cell = cell};
-  const size_t first = grid.index(gridTexel(shape, cell, 0)), next = shape.capacity > 1 ? grid.index(gridTexel(shape, cell, 1)) - first : 1;
-  while (int(full.stored) < shape.capacity && grid.texels[first + full.stored * next] != kBlank) ++full.stored;
-  if (shape.reserved == 2) full.refused = grid.at(gridRefusedTexel(shape, cell, false)) + grid.at(gridRefusedTexel(shape, cell, true));
-  if (shape.reserved == 1) full.refused = grid.at(gridTexel(shape, cell, shape.capacity)) != 0 ? 1 : 0;
-  full.saturated = shape.reserved == 0 ? int(full.stored) == shape.capacity : full.refused > 0;
-  return full;
-}
-
-namespace {
-
-// Cells of a grid for which `accepts` holds, the fullest first.
-template <typename Accepts>
-std::vector<FullCell> cellsByDemand(const Grid& grid, const Accepts& accepts) {
-  const ivec3 count = grid.parameters.cellCount;
-  std::vector<FullCell> cells;
-  ivec3 cell;
-  for (cell.z = 0; cell.z < count.z; ++cell.z)
-    for (cell.y = 0; cell.y < count.y; ++cell.y)
-      for (cell.x = 0; cell.x < count.x; ++cell.x)
-        if (const FullCell full = fullnessOf(grid, cell); accepts(full)) cells.push_back(full);
-  std::stable_sort(cells.begin(), cells.end(), [](const FullCell& a, const FullCell& b) { return a.tried() > b.tried(); });
-  return cells;
-}
-
-}  // namespace
-
-std::vector<FullCell> saturatedCells(const Grid& grid) {
-  return cellsByDemand(grid, [](const FullCell& cell) { return cell.saturated; });
-}
-
-std::optional<ivec3> nextFullCell(const Grid& grid, std::optional<ivec3> from) {
-  std::vector<FullCell> cells = saturatedCells(grid);
-  if (cells.empty()) cells = cellsByDemand(grid, [](const FullCell& cell) { return cell.stored > 0; });
-  if (cells.empty()) return std::nullopt;
-  const auto found = std::find_if(cells.begin(), cells.end(), [&](const FullCell& cell) { return from && cell.cell == *from; });
-  if (found == cells.end() || found + 1 == cells.end()) return cells.front().cell;
-  return (found + 1)->cell;
-}
-
 }  // namespace gridscope

@@ -1,5 +1,5 @@
-// Where the jumps lead: the next ray of a verdict or a cause, the rays before and after the selected one, the next full cell. Plain
-// functions over a snapshot; all of them go around at the end.
+// Where the jumps lead: the next ray of a verdict or a cause, the rays before and after the selected one. Plain functions over a snapshot;
+// all of them go around at the end.
 #pragma once
 
 #include <cstdint>
@@ -28,24 +28,5 @@ std::optional<uint32_t> nextVoxelWrong(const FrameSnapshot& frame, std::span<con
 
 // The ray `places` behind (below 0: before) pixel `from` in `order`, pixels without a ray left out.
 std::optional<uint32_t> neighbourRay(const FrameSnapshot& frame, std::span<const uint32_t> order, std::optional<uint32_t> from, int places);
-
-// A cell and what it was asked to take.
-struct FullCell {
-  ivec3 cell{0};
-  uint32_t stored = 0;
-  uint32_t refused = 0;                // of a grid that only flags its full cells: 1; that has no reserved texels: 0
-  bool saturated = false;
-  uint32_t tried() const { return stored + refused; }
-};
-
-// What the grid holds and refused in one cell.
-FullCell fullnessOf(const Grid& grid, const ivec3& cell);
-
-// All saturated cells, the ones that were asked for the most first; of equal ones the smaller number (x fastest) first.
-std::vector<FullCell> saturatedCells(const Grid& grid);
-
-// The saturated cell that comes after `from` by falling demand; the fullest one when `from` is not given or not saturated. Where no cell is
-// saturated: the fullest of those that hold anything. Nothing: the grid is empty.
-std::optional<ivec3> nextFullCell(const Grid& grid, std::optional<ivec3> from);
 
 }  // namespace gridscope

@@ -5,6 +5,7 @@
 
 #include "app/capture_pictures.h"
 #include "app/frame_maker.h"
+#include "app/frame_work.h"
 #include "app/shader_compiler.h"
 #include "core/frame_capture.h"
 #include "core/invariants_frame.h"
@@ -32,6 +33,7 @@ bool FrameMaker::readProducts() {
   if (!gridRead_) {
     if (interrupted()) return false;
     current_.grid = std::make_shared<const Grid>(pipeline_->grid());
+    current_.occupied = shared(occupiedCells(*current_.grid));
     current_.worldTriangles = shared(pipeline_->worldTriangles());
     gridRead_ = true;
     publish(false);
@@ -91,52 +93,41 @@ TraceInput FrameMaker::traceInput() const {
 bool FrameMaker::tellTruth() {
   if (!made_.truth && !made_.proveRecorded) return true;
   const TruthInput input{traceInput(), *current_.demand};
-  const Clock::time_point start = Clock::now();
-  const auto tell = [&](const char* what, float from, float to) {
-    return [this, what, from, to, start](float share) {
-      listener_.working(LongWork{.what = what, .share = from + (to - from) * share,
-                                 .seconds = std::chrono::duration<double>(Clock::now() - start).count()});
-      return !interrupted();
-    };
-  };
-  if (!current_.truths) {
-    const auto exactProgress = tell("Finding the exact hits", 0.0f, 0.5f);
-    exactProgress(0.0f);
-    const ExactReference exact(input.trace);
-    std::vector<Hit> exactHits;
-    constexpr size_t kRaysPerPiece = 16384;
-    const std::span<const Ray> rays(*current_.rays);
-    for (size_t first = 0; first < rays.size(); first += kRaysPerPiece) {
-      if (!exactProgress(float(first) / float(rays.size()))) return stopWork();
-      const std::vector<Hit> piece = exact.trace(rays.subspan(first, std::min(kRaysPerPiece, rays.size() - first)));
-      exactHits.insert(exactHits.end(), piece.begin(), piece.end());
-    }
-    std::vector<RayTruth> truths = gridscope::tellTruth(input, rays, *current_.hits, exactHits, tell("Finding the cause of each wrong ray", 0.5f, 1.0f));
-    if (truths.size() != rays.size()) return stopWork();
-    current_.truthTotals = countTruths(truths);
-    current_.ledger = std::make_shared<const Ledger>(makeLedger(input, truths));
-    current_.exact = shared(std::move(exactHits));
-    current_.truths = shared(std::move(truths));
-    listener_.working(std::nullopt);
-    tellRecorded(input);
-    publish(false);
-  } else if (tellRecorded(input)) {
-    publish(false);
-  }
-  if (made_.proveAll != proved_ && made_.proveAll > 0) {
-    ProofTotals totals = proveFrame(input, {*current_.rays, *current_.hits, *current_.exact, *current_.truths}, tell("Proving every cause", 0.0f, 1.0f));
-    if (interrupted()) return stopWork();
-    proved_ = made_.proveAll;
-    current_.proofs = std::make_shared<const ProofTotals>(std::move(totals));
-    listener_.working(std::nullopt);
-    publish(false);
-  }
+  if (!current_.truths && !findTruths(input)) return false;
+  if (tellRecorded(input)) publish(false);
+  if (made_.proveAll == proved_ || made_.proveAll == 0) return true;
+  const Work work(listener_, LongWork::Kind::truth, "Proving every cause");
+  ProofTotals totals = proveFrame(input, {*current_.rays, *current_.hits, *current_.exact, *current_.truths}, [&](float share) { return work.tell(share), !interrupted(); });
+  if (interrupted()) return false;
+  proved_ = made_.proveAll;
+  current_.proofs = std::make_shared<const ProofTotals>(std::move(totals));
+  publish(false);
   return true;
 }
 
-bool FrameMaker::stopWork() {
-  listener_.working(std::nullopt);
-  return false;
+bool FrameMaker::findTruths(const TruthInput& input) {
+  Work work(listener_, LongWork::Kind::truth, "Finding the exact hits");
+  work.tell(0.0f);
+  const ExactReference exact(input.trace);
+  std::vector<Hit> exactHits;
+  constexpr size_t kRaysPerPiece = 16384;
+  const std::span<const Ray> rays(*current_.rays);
+  for (size_t first = 0; first < rays.size(); first += kRaysPerPiece) {
+    work.tell(0.5f * float(first) / float(rays.size()));
+    if (interrupted()) return false;
+    const std::vector<Hit> piece = exact.trace(rays.subspan(first, std::min(kRaysPerPiece, rays.size() - first)));
+    exactHits.insert(exactHits.end(), piece.begin(), piece.end());
+  }
+  work.call("Finding the cause of each wrong ray");
+  std::vector<RayTruth> truths = gridscope::tellTruth(input, rays, *current_.hits, exactHits, [&](float share) { return work.tell(0.5f + 0.5f * share), !interrupted(); });
+  if (truths.size() != rays.size()) return false;
+  current_.truthTotals = countTruths(truths);
+  current_.ledger = std::make_shared<const Ledger>(makeLedger(input, truths));
+  current_.exact = shared(std::move(exactHits));
+  current_.truths = shared(std::move(truths));
+  tellRecorded(input);
+  publish(false);
+  return true;
 }
 
 // The recorded ray's own truth and proof; true when something was added.
@@ -176,11 +167,18 @@ void FrameMaker::writeCapture(const CaptureWish& wish) {
 }
 
 std::string FrameMaker::reloadShaders() {
-  listener_.working(LongWork{.what = "Compiling shaders", .share = -1.0f});
-  CompiledShaders compiled = compileShaders();
-  listener_.working(std::nullopt);
+  const Work work(listener_, LongWork::Kind::shaders, "Compiling shaders");
+  CompiledShaders compiled = compileShaders("", [&](float share) { return work.tell(share); });
   if (!compiled.fault.empty()) return compiled.fault;
-  replaceShaders(std::move(compiled.words));
+
+  // The device must take all of them before the old ones go.
+  ShaderWords before = replaceShaders(std::move(compiled.words));
+  try {
+    tryShaders(gpu_);
+  } catch (const std::exception& error) {
+    replaceShaders(std::move(before));
+    return error.what();
+  }
   listener_.say(LogLine::Kind::note, "Shaders: all passes compiled and in use");
   dirty_.scene = true;
   dirty_.spread();

@@ -6,6 +6,7 @@
 
 #include "core/cell_rays.h"
 #include "core/cell_updates.h"
+#include "core/frame_capture.h"
 #include "core/stability.h"
 
 namespace gridscope {
@@ -32,6 +33,19 @@ void FrameMaker::keepGridBeforeUpdate() {
   gridBefore_ = wantsFinding(ViewNeed::cellUpdates) && !current_.scene->foreign ? pipeline_->grid() : Grid{};
 }
 
+// What the last update changed. Where the grid before it was not kept, it is made again: a build, the update before, and the last one, so that
+// both grids come of the same run.
+void FrameMaker::findUpdates() {
+  if (!gridBefore_.texels.empty()) return pipeline_->useCellUpdates(compareUpdate(gridBefore_, *current_.grid));
+  const std::vector<Instance> instances = *current_.instances;
+  pipeline_->build();
+  if (instancesBefore_) pipeline_->update(*instancesBefore_);
+  const Grid before = pipeline_->grid();
+  pipeline_->update(instances);
+  pipeline_->useCellUpdates(compareUpdate(before, pipeline_->grid()));
+  pipeline_->useGrid(current_.grid->texels);
+}
+
 // Piece by piece, so that another request need not wait for all of them.
 bool FrameMaker::countReads() {
   if (current_.cellRays) return true;
@@ -51,8 +65,9 @@ bool FrameMaker::countReads() {
 bool FrameMaker::findAboutCells() {
   if (!countReads()) return false;
   const auto missing = [&](ViewNeed need) { return wantsFinding(need) && !findings_.contains(need); };
-  if (missing(ViewNeed::cellUpdates) && !gridBefore_.texels.empty()) {
-    pipeline_->useCellUpdates(compareUpdate(gridBefore_, *current_.grid));
+  const bool ownGrid = !loaded_->capture || builtHere(*loaded_->capture);
+  if (missing(ViewNeed::cellUpdates) && (ownGrid || !gridBefore_.texels.empty())) {
+    findUpdates();
     found(ViewNeed::cellUpdates);
   }
   if (missing(ViewNeed::cellRays)) {
@@ -64,7 +79,8 @@ bool FrameMaker::findAboutCells() {
     compareSomeBuilds();
     found(ViewNeed::stability);
   }
-  return fillViews(true);
+  fillViews(true);
+  return true;
 }
 
 // The frame's own grid and hits come back afterwards.
@@ -89,7 +105,8 @@ bool FrameMaker::showTruths() {
   for (const TriangleLoss& loss : current_.ledger->triangles) costs.push_back(loss.rays);
   pipeline_->useTriangleCosts(costs);
   found(ViewNeed::triangleCosts);
-  return fillViews(true);
+  fillViews(true);
+  return true;
 }
 
 }  // namespace gridscope

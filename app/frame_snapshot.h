@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "app/frame_request.h"
+#include "app/full_cells.h"
 #include "core/capture.h"
 #include "core/demand.h"
 #include "core/invariants.h"
@@ -54,7 +55,7 @@ struct FrameSnapshot {
   uint64_t traceNumber = 0;            // rises when hits changed
   FrameRequest request;                // that it answers; settings given
   std::shared_ptr<const SceneFacts> scene;
-  FrameParameters parameters{};
+  FrameParameters parameters{};        // of the stages; while they run again `grid` may still be of other parameters, which it carries itself
   StageTimes times;
   std::string device;                  // that runs build, update and trace
   std::string fault;                   // why the request before this one could not be met; empty: it was. `request` is what is shown instead
@@ -67,6 +68,7 @@ struct FrameSnapshot {
   std::optional<std::vector<std::string>> brokenInvariants;  // of grid and hits, a line each; empty: all hold; nothing: not tested yet
 
   std::shared_ptr<const Grid> grid;
+  std::shared_ptr<const std::vector<FullCell>> occupied;  // of `grid`: its cells that hold or refused a reference, x fastest
   std::shared_ptr<const std::vector<Triangle>> worldTriangles;
   std::shared_ptr<const std::vector<Instance>> instances; // transforms of the frame
   std::shared_ptr<const std::vector<GatherPixel>> gather;
@@ -84,6 +86,7 @@ struct FrameSnapshot {
   std::shared_ptr<const ProofTotals> proofs;             // null until asked for
   std::shared_ptr<const RecordedRay> record;             // of request.recordPixel; null: none, or on its way
 
+  const GridParameters& gridShape() const { return grid ? grid->parameters : parameters.grid; }   // of `grid`, where there is one
   uint32_t pixelCount() const { return request.settings ? request.settings->width * request.settings->height : 0; }
 };
 

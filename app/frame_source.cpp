@@ -2,10 +2,13 @@
 #include "app/frame_source.h"
 
 #include <algorithm>
+#include <atomic>
 #include <filesystem>
+#include <thread>
 
 #include "app/capture_files.h"
 #include "app/load_rays.h"
+#include "app/low_priority.h"
 #include "core/frame_capture.h"
 
 namespace gridscope {
@@ -59,6 +62,26 @@ LoadedSource loadSource(const FrameSource& source, const Options& start) {
   for (const Animation& animation : loaded.scene.animations) loaded.duration = std::max(loaded.duration, double(animation.duration));
   return loaded;
 }
+
+static std::atomic<uint32_t>& runningLoads() {
+  static std::atomic<uint32_t> running = 0;
+  return running;
+}
+
+std::future<LoadedSource> loadAside(const FrameSource& source, const Options& start) {
+  std::packaged_task<LoadedSource()> task([source, start] { return loadSource(source, start); });
+  std::future<LoadedSource> loaded = task.get_future();
+  ++runningLoads();
+  std::thread([task = std::move(task)]() mutable {
+    lowerThreadPriority();
+    task();
+    task = {};   // what nobody took goes before this is said to be over
+    --runningLoads();
+  }).detach();
+  return loaded;
+}
+
+uint32_t loadsUnderWay() { return runningLoads(); }
 
 SceneFacts factsOf(const LoadedSource& loaded) {
   SceneFacts facts;

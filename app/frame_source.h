@@ -1,6 +1,7 @@
 // Loading what the window shows: a scene or a capture, with the settings that it brings and the facts that panels want to know of it.
 #pragma once
 
+#include <future>
 #include <memory>
 #include <optional>
 
@@ -22,6 +23,11 @@ struct LoadedSource {
 
 // `start`: the command line, which goes with the source that it names. Throws Error.
 LoadedSource loadSource(const FrameSource& source, const Options& start);
+
+// The same on a thread of its own that nobody must wait for. loadsUnderWay(): how many such threads have not ended; while there are any, the
+// process must not take down what they use.
+std::future<LoadedSource> loadAside(const FrameSource& source, const Options& start);
+uint32_t loadsUnderWay();
 
 // The source that a command line names.
 FrameSource sourceOf(const Options& options);

@@ -1,26 +1,22 @@
 // See frame_worker.h.
 #include "app/frame_worker.h"
 
-#include <sys/resource.h>
-#include <sys/syscall.h>
-#include <unistd.h>
-
 #include <utility>
+
+#include "app/low_priority.h"
 
 namespace gridscope {
 
-// Threads that this one starts inherit it: the drivers' and those of the stages in C++.
-static void lowerPriority() {
-  constexpr int kNice = 10;
-  setpriority(PRIO_PROCESS, id_t(syscall(SYS_gettid)), kNice);
-}
+// Work that is over sooner is not told of.
+static constexpr double kLongWorkSeconds = 0.15;
 
 FrameWorker::FrameWorker(const Options& start, std::function<void()> wake) : start_(start), wake_(std::move(wake)), thread_([this] { run(); }) {}
 
-FrameWorker::~FrameWorker() {
+FrameWorker::~FrameWorker() { end(); }
+
+void FrameWorker::end() {
+  if (!thread_.joinable()) return;
   stop_ = true;
-  cancel_ = true;
-  waiting_ = true;
   { std::lock_guard lock(mutex_); }
   asked_.notify_all();
   thread_.join();
@@ -54,7 +50,10 @@ std::shared_ptr<const FrameSnapshot> FrameWorker::newest() const {
 
 std::optional<LongWork> FrameWorker::work() const {
   std::lock_guard lock(mutex_);
-  return work_;
+  if (!work_) return std::nullopt;
+  LongWork work = *work_;
+  work.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - workBegan_).count();
+  return work.seconds < kLongWorkSeconds ? std::nullopt : std::optional(work);
 }
 
 std::vector<LogLine> FrameWorker::takeLines() {
@@ -94,21 +93,24 @@ FrameListener FrameWorker::listener() {
                 }
                 wake_();
               },
-          .interrupted = [this] { return waiting_.load(); },
-          .cancelled = [this] { return cancel_.exchange(false); },
+          .interrupted = [this] { return waiting_ || stop_; },
+          .ends = [this] { return stop_.load(); },
+          .cancelled = [this] { return cancel_.exchange(false) || stop_; },
           .working =
               [this](std::optional<LongWork> work) {
+                const bool toldBefore = this->work().has_value();
                 {
                   std::lock_guard lock(mutex_);
+                  if (!work_) workBegan_ = std::chrono::steady_clock::now();
                   work_ = std::move(work);
                 }
-                wake_();
+                if (toldBefore || this->work()) wake_();
               },
           .say = [this](LogLine::Kind kind, std::string text) { say(kind, std::move(text)); }};
 }
 
 void FrameWorker::run() {
-  lowerPriority();
+  lowerThreadPriority();
   try {
     GpuContext gpu({.device = start_.onCpu() ? "" : start_.device, .validation = start_.validation});
     work(gpu);
@@ -142,8 +144,13 @@ void FrameWorker::work(GpuContext& gpu) {
     }
     if (request && request->shaderReloads != reloads) {
       reloads = request->shaderReloads;
-      const std::string fault = maker.reloadShaders();
-      std::lock_guard lock(mutex_);
+      std::string fault;
+      try {
+        fault = maker.reloadShaders();
+      } catch (const std::exception& error) {
+        fault = error.what();
+      }
+      const std::lock_guard lock(mutex_);
       shaderFault_ = fault;
     }
     if (request) maker.make(*request);

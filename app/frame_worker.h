@@ -16,6 +16,8 @@ class FrameWorker {
   FrameWorker(const Options& start, std::function<void()> wake);
   ~FrameWorker();
 
+  void end();                                   // as soon as it can; nothing may be asked for afterwards
+
   void ask(const FrameRequest& request);        // replaces what was asked before
   void cancel();                                // the long work
   void capture(const CaptureWish& wish);        // the frame that is shown, once it is complete
@@ -42,6 +44,7 @@ class FrameWorker {
   std::vector<CaptureWish> captures_;
   std::shared_ptr<const FrameSnapshot> newest_;
   std::optional<LongWork> work_;
+  std::chrono::steady_clock::time_point workBegan_;
   std::vector<LogLine> lines_;
   std::string shaderFault_, deviceFault_;
   bool idle_ = false;

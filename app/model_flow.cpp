@@ -12,6 +12,7 @@
 #include "app/held_ray.h"
 #include "app/projection.h"
 #include "app/ray_stepping.h"
+#include "app/selection_carry.h"
 #include "views/view.h"
 
 namespace gridscope {
@@ -74,18 +75,38 @@ static void greetScene(WindowModel& model) {
   if (model.recentFiles.size() > kMostRecentFiles) model.recentFiles.resize(kMostRecentFiles);
 }
 
+// The same scene with other references, or a frame of another size: the selection goes along.
+static void carrySelection(WindowModel& model, const FrameSnapshot& before) {
+  const FrameSnapshot& now = *model.frame;
+  if (before.scene != now.scene && !sameNumbering(before.scene->numbered, now.scene->numbered)) {
+    model.selection.change([&](const Selection& one) { return carriedToNumbering(one, before.scene->numbered, now.scene->numbered); });
+    model.held.reset();   // names the old references
+  }
+  const auto sizeOf = [](const FrameSnapshot& frame) { return uvec2(frame.request.settings->width, frame.request.settings->height); };
+  const uvec2 was = sizeOf(before), is = sizeOf(now);
+  if (was == is) return;
+  model.selection.change([&](const Selection& one) { return carriedToSize(one, was, is); });
+  model.area = carriedToSize(model.area, was, is);
+  model.rayOrder = {};
+}
+
 void takeFrame(WindowModel& model, std::shared_ptr<const FrameSnapshot> frame) {
   const bool anotherScene = frame->scene && (!model.frame || !model.frame->scene || model.frame->request.source != frame->request.source);
   completeKept(model, frame);
-  model.frame = std::move(frame);
+  const std::shared_ptr<const FrameSnapshot> before = std::exchange(model.frame, std::move(frame));
   model.stageHistory.note(*model.frame);
   if (anotherScene && model.frame->request.settings) greetScene(model);
+  else if (before && before->scene && model.frame->scene && before->request.settings && model.frame->request.settings) carrySelection(model, *before);
   if (!model.frame->fault.empty()) {
     // What can't be had is no longer asked for.
     model.say(LogLine::Kind::error, model.frame->fault);
     model.toast = model.frame->fault;
     model.toastUntil = model.now + 8.0;
     if (model.frame->request.settings) {
+      if (model.request.source != model.frame->request.source) {   // opening a file had set these back
+        model.request.frame = model.frame->request.frame;
+        model.request.timeSeconds = model.frame->request.timeSeconds;
+      }
       model.request.source = model.frame->request.source;
       model.request.edits = model.frame->request.edits;
       model.request.settings = model.frame->request.settings;
@@ -191,8 +212,10 @@ void declineTruth(WindowModel& model) {
   model.pendingJump = Jump::none;
 }
 
+bool opensAnother(const WindowModel& model) { return !model.request.settings || (model.frame && model.request.source != model.frame->request.source); }
+
 void undoSetting(WindowModel& model) {
-  if (model.undo.empty()) return;
+  if (model.undo.empty() || opensAnother(model)) return;
   model.request.settings = model.undo.back();
   model.undo.pop_back();
 }

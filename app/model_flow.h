@@ -26,6 +26,7 @@ void openSource(WindowModel& model, const std::string& path);   // a scene's or 
 void stepTime(WindowModel& model, int frames);                  // forward or back
 void setTime(WindowModel& model, double seconds);
 void showView(WindowModel& model, const std::string& view);     // in the active pane
+bool opensAnother(const WindowModel& model);                    // a scene is being loaded: the settings are still those of the one before
 void undoSetting(WindowModel& model);
 void declineTruth(WindowModel& model);                          // until it is asked for again
 

@@ -19,11 +19,11 @@ void jumpTo(WindowModel& model, Jump jump) {
 }
 
 void goToNextSaturatedCell(WindowModel& model) {
-  if (!model.frame || !model.frame->grid) return;
-  const auto cell = nextFullCell(*model.frame->grid, model.selected().cell);
+  if (!model.frame || !model.frame->occupied) return;
+  const auto cell = nextFullCell(*model.frame->occupied, model.selected().cell);
   if (!cell) return model.showMessage("The grid holds no reference");
   model.selection.selectCell(*cell);
-  model.focusWanted = cellBounds(model.frame->parameters.grid, *cell);
+  model.focusWanted = cellBounds(model.frame->gridShape(), *cell);
 }
 
 }  // namespace gridscope

@@ -23,9 +23,13 @@ void WindowModel::showMessage(std::string text) {
 
 void WindowModel::changeSettings(const std::function<void(FrameSettings&)>& change) {
   if (!request.settings) return;
-  undo.push_back(*request.settings);
-  if (undo.size() > kMostUndo) undo.erase(undo.begin());
+  rememberForUndo(*request.settings);
   change(*request.settings);
+}
+
+void WindowModel::rememberForUndo(const FrameSettings& settings) {
+  undo.push_back(settings);
+  if (undo.size() > kMostUndo) undo.erase(undo.begin());
 }
 
 }  // namespace gridscope

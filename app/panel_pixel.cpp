@@ -120,8 +120,8 @@ void triangleCell(WindowModel& model, int column, const Hit* hit) {
 void cellCell(WindowModel& model, int column, const Ray& ray, const Hit* hit) {
   ImGui::TableSetColumnIndex(column);
   if (!hit || hit->reference == kBlank) return smallText("-", uiColour(UiColour::dim));
-  const ivec3 cell = gridCell(model.frame->parameters.grid, rayPoint(ray, hit->t));
-  if (!gridContains(model.frame->parameters.grid, cell)) return smallText("outside", uiColour(UiColour::dim));
+  const ivec3 cell = gridCell(model.frame->gridShape(), rayPoint(ray, hit->t));
+  if (!gridContains(model.frame->gridShape(), cell)) return smallText("outside", uiColour(UiColour::dim));
   if (link(cellNumbers(cell), column == 1 ? "grid cell" : "exact cell")) model.selection.selectCell(cell);
 }
 

@@ -10,10 +10,10 @@ namespace gridscope {
 void drawCellsTable(WindowModel& model) {
   static SheetPanel panel{.kind = TableKind::cells, .order = {size_t(CellColumn::tried), true}};
   SheetActions actions;
-  if (const auto& cell = model.selected().cell; cell && model.frame && gridContains(model.frame->parameters.grid, *cell))
-    actions.selectedId = idOfCell(model.frame->parameters.grid, *cell);
+  if (const auto& cell = model.selected().cell; cell && model.frame && gridContains(model.frame->gridShape(), *cell))
+    actions.selectedId = idOfCell(model.frame->gridShape(), *cell);
   actions.click = [&](uint32_t id) {
-    const GridParameters& grid = panel.job.result()->wish.frame->parameters.grid;
+    const GridParameters& grid = panel.job.result()->wish.frame->gridShape();
     panel.shownId = id;
     model.selection.selectCell(cellOfId(grid, id));
     model.focusWanted = boundsOfCell(grid, cellOfId(grid, id));

@@ -28,7 +28,7 @@ std::optional<float> boxEntry(const EyeRay& ray, const Bounds& bounds) {
 }
 
 std::optional<ivec3> pickCell(const FrameSnapshot& frame, const CameraParameters& camera, vec2 pixel, std::span<const BoxCell> boxes) {
-  const GridParameters& grid = frame.parameters.grid;
+  const GridParameters& grid = frame.gridShape();
   const GatherPixel* seen = nullptr;
   if (pixel.x >= 0.0f && pixel.y >= 0.0f && pixel.x < float(camera.width) && pixel.y < float(camera.height) && frame.gather) {
     const size_t index = size_t(pixel.y) * camera.width + size_t(pixel.x);

@@ -38,7 +38,7 @@ std::optional<uint32_t> numberOf(const std::string& word, int base = 10) {
 std::optional<SearchTarget> placeNamed(const FrameSnapshot& frame, const std::vector<uint32_t>& numbers) {
   if (numbers.size() == 3) {
     const ivec3 cell{int(numbers[0]), int(numbers[1]), int(numbers[2])};
-    return gridContains(frame.parameters.grid, cell) ? std::optional(SearchTarget{.cell = cell}) : std::nullopt;
+    return gridContains(frame.gridShape(), cell) ? std::optional(SearchTarget{.cell = cell}) : std::nullopt;
   }
   const FrameSettings& settings = *frame.request.settings;
   if (numbers[0] >= settings.width || numbers[1] >= settings.height) return std::nullopt;

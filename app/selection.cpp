@@ -59,4 +59,8 @@ void SelectionHistory::selectInstance(uint32_t sceneInstance) {
 
 void SelectionHistory::clear() { enter(Selection{}); }
 
+void SelectionHistory::change(const std::function<Selection(const Selection&)>& carry) {
+  for (Selection& entry : entries_) entry = carry(entry);
+}
+
 }  // namespace gridscope

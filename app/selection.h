@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -34,6 +35,7 @@ class SelectionHistory {
   void selectTriangle(uint32_t reference);
   void selectInstance(uint32_t sceneInstance);
   void clear();
+  void change(const std::function<Selection(const Selection&)>& carry);  // all that was selected, where what it names has other numbers now
 
   bool canGoBack() const { return at_ > 0; }
   bool canGoForward() const { return at_ + 1 < entries_.size(); }

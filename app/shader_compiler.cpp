@@ -117,7 +117,7 @@ std::vector<uint32_t> compileOne(const ShaderCode& shader, const fs::path& folde
 
 }  // namespace
 
-CompiledShaders compileShaders(const std::string& folder) {
+CompiledShaders compileShaders(const std::string& folder, const std::function<bool(float)>& goesOn) {
   const fs::path root = folder.empty() ? fs::path(GRIDSCOPE_SOURCE) : fs::path(folder);
   CompiledShaders compiled;
   if (!fs::exists(root / "shaders")) {
@@ -125,8 +125,12 @@ CompiledShaders compileShaders(const std::string& folder) {
     return compiled;
   }
   glslang::InitializeProcess();
+  size_t done = 0;
   for (const ShaderCode& shader : allShaders()) {
-    std::vector<uint32_t> words = compileOne(shader, root, compiled.fault);
+    const bool goes = !goesOn || goesOn(float(done++) / float(allShaders().size()));
+    std::vector<uint32_t> words;
+    if (goes) words = compileOne(shader, root, compiled.fault);
+    else compiled.fault = "cancelled: the passes are as they were";
     if (words.empty()) {
       compiled.words.clear();
       break;

@@ -95,7 +95,7 @@ struct AreaTargets {
 
 class AreaMarker {
  public:
-  explicit AreaMarker(const FrameSnapshot& frame) : frame_(frame), grid_(frame.parameters.grid) {
+  explicit AreaMarker(const FrameSnapshot& frame) : frame_(frame), grid_(frame.gridShape()) {
     targets_.references.resize(frame.worldTriangles ? frame.worldTriangles->size() : 0);
     for (const InstanceSource& source : frame.scene->numbered.sources)
       targets_.instances.resize(std::max<size_t>(targets_.instances.size(), source.sceneInstance + size_t{1}));

@@ -11,6 +11,7 @@
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
+#include <optional>
 #include <utility>
 
 #include "app/frame_worker.h"
@@ -174,6 +175,7 @@ class Window {
     model_.request.slice = start.slice;
     model_.timeStep = start.frameStep;
     readPreferences(model_);
+    preferences_.emplace(model_);
     showIn(model_, Workspace::grid);
     dress();
     worker_.ask(sent_ = wantedRequest());
@@ -182,13 +184,17 @@ class Window {
   int run() {
     while (!model_.quit) {
       waitForEvents();
+      const Clock::time_point start = Clock::now();
       if (glfwWindowShouldClose(native_.handle())) model_.quit = true;
       takeNews();
-      if (wantsFrame()) drawFrame();
+      const bool drawn = wantsFrame() && drawFrame();
       sendWishes();
+      if (drawn) frameMs_.push_back(float(1000.0 * secondsSince(start)));
+      preferences_->look(model_);
     }
-    writePreferences(model_);
+    preferences_->end(model_);
     sayFrameTimes();
+    worker_.end();
     return kExitDone;
   }
 
@@ -229,6 +235,7 @@ class Window {
     if (frame == model_.frame || !frame) return;
     if (!frame->scene && !frame->fault.empty()) throw Error(frame->fault);   // the first source can't be loaded
     settle_ = std::max(settle_, 2);
+    if (!model_.frame || model_.frame->views != frame->views) ++pictures_;
     takeFrame(model_, std::move(frame));
   }
 
@@ -239,9 +246,10 @@ class Window {
     return false;
   }
 
-  void drawFrame() {
+  // False: there is nothing to draw on.
+  bool drawFrame() {
     const VkExtent2D size = native_.size();
-    if (size.width == 0 || size.height == 0) return;
+    if (size.width == 0 || size.height == 0) return false;
     if (model_.uiScale != dressedScale_) dress();
     else if (model_.theme != dressedTheme_) applyTheme(dressedTheme_ = model_.theme, model_.uiScale);
 
@@ -268,7 +276,7 @@ class Window {
                       ImGui_ImplVulkan_RenderDrawData(ImGui::GetDrawData(), commands);
                     });
     model_.interfaceMs = 1000.0 * secondsSince(start);
-    frameMs_.push_back(float(model_.interfaceMs));
+    return true;
   }
 
   FrameRequest wantedRequest() { return requestOf(model_); }
@@ -295,8 +303,8 @@ class Window {
   void sayFrameTimes() {
     if (frameMs_.empty()) return;
     std::ranges::sort(frameMs_);
-    std::fprintf(stderr, "Interface frames: %zu, median %.1f ms, p99 %.1f ms\n", frameMs_.size(), double(frameMs_[frameMs_.size() / 2]),
-                 double(frameMs_[size_t(double(frameMs_.size() - 1) * 0.99)]));
+    std::fprintf(stderr, "Interface frames: %zu, median %.1f ms, p99 %.1f ms, longest %.1f ms; pictures: %u\n", frameMs_.size(),
+                 double(frameMs_[frameMs_.size() / 2]), double(frameMs_[size_t(double(frameMs_.size() - 1) * 0.99)]), double(frameMs_.back()), pictures_);
   }
 
   NativeWindow native_;
@@ -314,7 +322,9 @@ class Window {
   Theme dressedTheme_ = Theme::dark;
   Clock::time_point began_ = Clock::now(), lastFrame_ = began_;
   int settle_ = kFramesAfterEvent;
-  std::vector<float> frameMs_;
+  std::optional<PreferenceKeeper> preferences_;   // from what was read on
+  std::vector<float> frameMs_;                    // of each frame of the interface, all that lies between two waits for events
+  uint32_t pictures_ = 0;                         // snapshots with other views than the one before
 };
 
 }  // namespace
@@ -323,7 +333,7 @@ std::string whyNoWindow() {
   if (!std::getenv("DISPLAY") && !std::getenv("WAYLAND_DISPLAY")) return "there is no display";
   glfwSetErrorCallback(nullptr);
   if (!glfwInit()) return "the display can't be opened";
-  return "";
+  return WindowDevice::whyNone();
 }
 
 int runWindow(const Options& start, const WindowOptions& options) {
@@ -339,7 +349,13 @@ int runWindow(const Options& start, const WindowOptions& options) {
     messages = window.validationMessages();
   }
   if (start.validation) std::fprintf(stderr, "validation: %u messages\n", messages);
-  return messages > 0 ? kExitDifferent : exitCode;
+  if (messages > 0) exitCode = kExitDifferent;
+  if (loadsUnderWay() > 0) {
+    // A load that was left alone still runs: what it uses must not be taken down under it.
+    std::fflush(nullptr);
+    std::_Exit(exitCode);
+  }
+  return exitCode;
 }
 
 }  // namespace gridscope

@@ -22,7 +22,10 @@ std::string needsScene(const WindowModel& m) { return m.frame && m.frame->scene 
 std::string needsFrame(const WindowModel& m) { return m.frame && m.frame->hits ? "" : "No frame yet"; }
 std::string needsGrid(const WindowModel& m) { return m.frame && m.frame->grid ? "" : "No grid yet"; }
 std::string needsRecord(const WindowModel& m) { return shownStep(m) ? "" : "No ray is recorded: click a pixel"; }
-std::string needsUndo(const WindowModel& m) { return m.undo.empty() ? "No setting was changed" : ""; }
+std::string needsUndo(const WindowModel& m) {
+  if (opensAnother(m)) return "A scene is being loaded";
+  return m.undo.empty() ? "No setting was changed" : "";
+}
 std::string needsSelection(const WindowModel& m) { return selectedBounds(m).empty() ? "Nothing is selected" : ""; }
 std::string needsCompare(const WindowModel& m) { return m.layout == ViewportLayout::compare ? "" : "Only in the A/B layout of the viewport"; }
 std::string needsComplete(const WindowModel& m) {

@@ -103,6 +103,7 @@ struct HeldRay {
 
 // Long work that the worker is doing.
 struct LongWork {
+  enum class Kind { source, grid, truth, shaders } kind = Kind::source;
   std::string what;                    // "Loading sponza.glb"
   float share = 0.0f;                  // 0..1; below 0: not known
   double seconds = 0.0;                // so far
@@ -193,6 +194,7 @@ struct WindowModel {
   const Selection& selected() const { return selection.now(); }
   void say(LogLine::Kind kind, std::string text);                 // into the log, and on standard error when it is an error
   void changeSettings(const std::function<void(FrameSettings&)>& change);  // remembers the old for undo
+  void rememberForUndo(const FrameSettings& settings);
   void showTab(BottomTab tab) { bottomTab = tab, bottomTabWanted = true; }
   void showMessage(std::string text);            // for a moment over the viewport, and into the log
   double now = 0.0;                              // seconds since the start

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstring>
 
+#include "app/beside.h"
 #include "app/cell_boxes.h"
 #include "app/panel_step_parts.h"
 #include "app/table_rows.h"
@@ -32,15 +33,28 @@ struct BoxLine {
   float width;
 };
 
+// The cells that boxes can stand for: a scan of the whole grid, made beside the window.
+struct OccupiedCells {
+  std::shared_ptr<const Grid> grid;
+  std::vector<BoxCell> cells;
+};
+
+// The last ones made, of the frame's grid or of the one before; nullptr before the first.
+std::shared_ptr<const OccupiedCells> occupiedOf(const FrameSnapshot& frame) {
+  static Beside<std::shared_ptr<const OccupiedCells>> job;
+  job.want({frame.grid.get(), frame.cellRays.get()}, [grid = frame.grid, rays = frame.cellRays] {
+    return std::make_shared<const OccupiedCells>(OccupiedCells{grid, occupiedCells(*grid, rays ? std::span<const CellRays>(*rays) : std::span<const CellRays>())});
+  });
+  return job.value().value_or(nullptr);
+}
+
 // The boxes of one state of frame and overlays, worked out once.
 struct BoxLines {
-  std::shared_ptr<const Grid> grid;
+  std::shared_ptr<const OccupiedCells> occupied;
   std::shared_ptr<const std::vector<GatherPixel>> gather;
-  std::shared_ptr<const std::vector<CellRays>> rays;
   CameraParameters camera{};
   Overlays overlays;
   uint32_t colourMap = 0;
-  std::vector<BoxCell> occupied;       // of that grid
   float top = 1.0f;                    // value at the end of the colours
   std::vector<BoxLine> lines;
   BoxChoice choice;
@@ -52,7 +66,7 @@ bool sameBoxes(const Overlays& a, const Overlays& b) {
 }
 
 void addEdge(BoxLines& boxes, const BoxEdge& edge, float farthest, const WindowModel& model) {
-  const GridParameters& grid = boxes.grid->parameters;
+  const GridParameters& grid = boxes.occupied->grid->parameters;
   const std::span<const GatherPixel> gather = boxes.gather ? std::span<const GatherPixel>(*boxes.gather) : std::span<const GatherPixel>();
   const float fill = float(edge.value) / boxes.top;
   // Beyond the capacity the map ends; rays have no such end.
@@ -68,21 +82,21 @@ void addEdge(BoxLines& boxes, const BoxEdge& edge, float farthest, const WindowM
 const BoxLines& boxLines(const WindowModel& model, const CameraParameters& camera) {
   static BoxLines boxes;
   const FrameSnapshot& frame = *model.frame;
-  const bool sameCells = boxes.grid == frame.grid && boxes.rays == frame.cellRays;
-  const bool same = sameCells && boxes.gather == frame.gather && std::memcmp(&boxes.camera, &camera, sizeof(camera)) == 0 &&
+  const std::shared_ptr<const OccupiedCells> occupied = occupiedOf(frame);
+  if (!occupied) return boxes;
+  const bool same = boxes.occupied == occupied && boxes.gather == frame.gather && std::memcmp(&boxes.camera, &camera, sizeof(camera)) == 0 &&
                     sameBoxes(boxes.overlays, model.overlays) && boxes.colourMap == model.colourMap;
   if (same) return boxes;
-  if (!sameCells) boxes.occupied = occupiedCells(*frame.grid, frame.cellRays ? std::span<const CellRays>(*frame.cellRays) : std::span<const CellRays>());
-  boxes.rays = frame.cellRays;
-  boxes.grid = frame.grid, boxes.gather = frame.gather, boxes.camera = camera, boxes.overlays = model.overlays, boxes.colourMap = model.colourMap;
+  boxes.occupied = occupied, boxes.gather = frame.gather, boxes.camera = camera, boxes.overlays = model.overlays, boxes.colourMap = model.colourMap;
+  const GridParameters& grid = occupied->grid->parameters;
   const BoxMeasure& measure = boxMeasure(model.overlays);
-  boxes.top = boxTop(measure, boxes.occupied, frame.grid->parameters.capacity);
-  boxes.choice = chooseBoxes(boxes.occupied, frame.grid->parameters, model.overlays, camera, kMostBoxes);
+  boxes.top = boxTop(measure, occupied->cells, grid.capacity);
+  boxes.choice = chooseBoxes(occupied->cells, grid, model.overlays, camera, kMostBoxes);
   boxes.lines.clear();
   if (boxes.choice.cells.empty()) return boxes;
-  const Bounds last = cellBounds(frame.grid->parameters, boxes.choice.cells.back().full.cell);
+  const Bounds last = cellBounds(grid, boxes.choice.cells.back().full.cell);
   const float farthest = std::max(glm::length(0.5f * (last.low + last.high) - camera.eye), 1e-6f);
-  for (const BoxEdge& edge : boxEdgesOf(boxes.choice.cells, frame.grid->parameters, measure)) addEdge(boxes, edge, farthest, model);
+  for (const BoxEdge& edge : boxEdgesOf(boxes.choice.cells, grid, measure)) addEdge(boxes, edge, farthest, model);
   return boxes;
 }
 

@@ -73,13 +73,23 @@ void drawReadOut(const std::vector<std::string>& parts, const PaneRect& rect, bo
   list.PopClipRect();
 }
 
+// Why a view is not there, and what brings it.
+static std::string whyMissing(const WindowModel& model, const View& view) {
+  const std::string title(view.title);
+  const bool ofTruth = view.need == ViewNeed::truth || view.need == ViewNeed::triangleCosts;
+  if (ofTruth && !model.request.truth && model.truthDeclined) return title + " needs the truth, which was cancelled: Ctrl+T tells it";
+  if (view.need == ViewNeed::cellUpdates && model.frame->scene && model.frame->scene->foreign) return title + ": what another engine's update changed is not known";
+  if (view.need == ViewNeed::cellUpdates && model.frame->scene && model.frame->scene->captureFrames > 0) return title + ": step time once, Ctrl+Right, to see what the next update changes";
+  return title + " is being made";
+}
+
 void drawNothing(const WindowModel& model, const PanePicture& picture, ImVec2 low, ImVec2 high) {
   const View* view = findView(picture.view);
   std::string text = "Nothing to show yet";
   if (!picture.frame && model.frame) text = "No frame is kept: K keeps the present one as B";
   else if (picture.frame != model.frame.get())
     text = model.comparison.completing ? "This view of the kept frame is on its way" : "The kept frame does not hold this view: choose another, or keep it again with K";
-  else if (view && model.frame) text = std::string(view->title) + " is being made";
+  else if (view && model.frame) text = whyMissing(model, *view);
   const float most = std::max(high.x - low.x - unit(20), unit(40));
   const ImVec2 size = ImGui::CalcTextSize(text.c_str(), nullptr, false, most);
   ImGui::GetWindowDrawList()->AddText(ImGui::GetFont(), ImGui::GetFontSize(), {0.5f * (low.x + high.x - size.x), 0.5f * (low.y + high.y - size.y)}, kDim, text.c_str(), nullptr, most);

@@ -38,7 +38,7 @@ void apply(WindowModel& model, bool changed, const Change& change) {
   if (!changed) return;
   // One entry of the undo list for one drag.
   if (kept || !ImGui::IsItemActive()) {
-    model.undo.push_back(kept ? before : *model.request.settings);
+    model.rememberForUndo(kept ? before : *model.request.settings);
     kept = false;
   }
   change(*model.request.settings);
@@ -136,9 +136,12 @@ void drawGrid(WindowModel& model) {
   label("Insertion", "Sorted: the same grid in every run; first come: the paper's");
   choose<uint32_t>(model, "##insertion", grid.insertion, {{"Sorted", kInsertionSorted}, {"First come (paper)", kInsertionFirstCome}},
                    [](FrameSettings& s, uint32_t v) { s.grid.insertion = v; });
-  label("Numbering", "Order of the references: full cells refuse the last");
+  const bool captured = model.frame->scene->captureFrames > 0;
+  label("Numbering", captured ? "The references of a capture keep their order: open its scene for another" : "Order of the references: full cells refuse the last");
+  ImGui::BeginDisabled(captured);
   choose<NumberBy>(model, "##number", grid.numberBy, {{"File order", NumberBy::file}, {"Falling area", NumberBy::area}},
                    [](FrameSettings& s, NumberBy v) { s.grid.numberBy = v; });
+  ImGui::EndDisabled();
   label("Builder", "Both make the same bits");
   choose<Builder>(model, "##builder", grid.builder, {{"Compute", Builder::compute}, {"Raster (paper)", Builder::raster}},
                   [](FrameSettings& s, Builder v) { s.grid.builder = v; });

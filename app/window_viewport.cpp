@@ -112,7 +112,7 @@ void barSlice(WindowModel& model) {
   ImGui::SetNextItemWidth(unit(50));
   if (ImGui::Combo("##axis", &slice.axis, "x\0y\0z\0")) slice.index = -1;
   ImGui::SameLine(0.0f, unit(4));
-  int index = slice.index < 0 ? cells[slice.axis] / 2 : slice.index;
+  int index = slice.index < 0 ? cells[slice.axis] / 2 : std::min(slice.index, cells[slice.axis] - 1);
   ImGui::SetNextItemWidth(unit(140));
   if (ImGui::SliderInt("##layer", &index, 0, cells[slice.axis] - 1, "layer %d", ImGuiSliderFlags_AlwaysClamp)) slice.index = index;
 }
@@ -232,9 +232,9 @@ void drawSpeed(const WindowModel& model, ImVec2 low, ImVec2 high) {
 
 // Long work, with its bar and its end, where its result will be.
 void drawWork(WindowModel& model, ImVec2 low, ImVec2 high) {
-  if (!model.work || model.work->seconds < 0.15) return;
+  if (!model.work) return;
   const LongWork& work = *model.work;
-  const bool loads = work.share < 0.0f;   // there may be no picture under it
+  const bool loads = work.kind == LongWork::Kind::source || work.kind == LongWork::Kind::grid;   // there may be no picture under it
   const ImVec2 size{unit(320), unit(84)}, corner{0.5f * (low.x + high.x - size.x), loads ? 0.5f * (low.y + high.y - size.y) : high.y - size.y - unit(60)};
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.AddRectFilled(corner, {corner.x + size.x, corner.y + size.y}, packed(uiColour(UiColour::head)), unit(3));
@@ -249,8 +249,8 @@ void drawWork(WindowModel& model, ImVec2 low, ImVec2 high) {
   list.AddRectFilled({bar.x + begin * width, bar.y}, {bar.x + (begin + sweep) * width, barEnd.y}, packed(uiColour(UiColour::accent)), unit(3));
   ImGui::SetCursorScreenPos({corner.x + unit(12), corner.y + unit(48)});
   if (!ImGui::Button("Cancel", {unit(80), unit(24)})) return;
-  if (loads) model.cancelWork = true;
-  else declineTruth(model);
+  if (work.kind == LongWork::Kind::truth) declineTruth(model);
+  else model.cancelWork = true;
 }
 
 void drawToast(const WindowModel& model, ImVec2 low, ImVec2 high) {
@@ -272,6 +272,7 @@ void drawViewport(WindowModel& model) {
     ImGui::SetCursorScreenPos({low.x + unit(10), low.y + unit(4)});
     if (ImGui::BeginChild("tuner", {size.x - unit(20), size.y - unit(8)})) drawTuner(model);
     ImGui::EndChild();
+    drawWork(model, low, high);
     return drawToast(model, low, high);
   }
   const float bar = drawBar(model, low, size.x);

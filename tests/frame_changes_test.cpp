@@ -52,7 +52,8 @@ TEST(FrameChanges, AnOffsetMovesWithoutANewNumbering) {
 TEST(SceneEdits, WhatIsHiddenIsNotNumbered) {
   const Scene scene = makeBuiltInScene("hall");
   const InstanceEdit edit{.sceneInstance = 0, .kind = InstanceEdit::Kind::hide};
-  const Scene edited = editedScene(scene, std::span(&edit, 1));
+  Scene edited = scene;
+  applyEdits(edited, scene.instances, std::span(&edit, 1));
   EXPECT_EQ(edited.instances.size(), scene.instances.size());
   const NumberedScene numbered = numberScene(edited, NumberBy::file);
   for (const InstanceSource& source : numbered.sources) EXPECT_NE(source.sceneInstance, 0u);
@@ -61,11 +62,34 @@ TEST(SceneEdits, WhatIsHiddenIsNotNumbered) {
 TEST(SceneEdits, WhatIsMadeDynamicMovesByItsOffsetInTheWorld) {
   const Scene scene = makeBuiltInScene("hall");
   const InstanceEdit edit{.sceneInstance = 0, .kind = InstanceEdit::Kind::makeDynamic, .offset = vec3(0.0f, 2.0f, 0.0f)};
-  const Scene edited = editedScene(scene, std::span(&edit, 1));
+  Scene edited = scene;
+  applyEdits(edited, scene.instances, std::span(&edit, 1));
   const mat4 before = nodeTransforms(scene, 0.0f)[scene.instances[0].node] * scene.instances[0].local;
   const mat4 after = nodeTransforms(edited, 0.0f)[edited.instances[0].node] * edited.instances[0].local;
   EXPECT_TRUE(edited.instances[0].dynamic);
   EXPECT_NEAR(after[3].y, before[3].y + 2.0f, 1e-4f);
+}
+
+TEST(SceneEdits, TakenBackTheyLeaveTheInstancesAsLoaded) {
+  const Scene scene = makeBuiltInScene("hall");
+  const std::vector<InstanceEdit> edits = {{.sceneInstance = 0, .kind = InstanceEdit::Kind::hide},
+                                           {.sceneInstance = 1, .kind = InstanceEdit::Kind::makeDynamic, .offset = vec3(1.0f)}};
+  Scene edited = scene;
+  applyEdits(edited, scene.instances, edits);
+  const size_t meshes = edited.meshes.size();
+  applyEdits(edited, scene.instances, edits);
+  EXPECT_EQ(edited.meshes.size(), meshes) << "one empty mesh is enough";
+  applyEdits(edited, scene.instances, {});
+  for (size_t i = 0; i < scene.instances.size(); ++i) {
+    EXPECT_EQ(edited.instances[i].mesh, scene.instances[i].mesh);
+    EXPECT_EQ(edited.instances[i].local, scene.instances[i].local);
+    EXPECT_EQ(edited.instances[i].dynamic, scene.instances[i].dynamic);
+  }
+}
+
+TEST(SceneEdits, ThoseOfInstancesThatAreGoneAreLeftOut) {
+  const std::vector<InstanceEdit> edits = {{.sceneInstance = 7}, {.sceneInstance = 2}, {.sceneInstance = 3}};
+  EXPECT_EQ(editsWithin(edits, 3), (std::vector<InstanceEdit>{{.sceneInstance = 2}}));
 }
 
 TEST(ModelFlow, UndoTakesBackTheLastSetting) {
@@ -77,6 +101,25 @@ TEST(ModelFlow, UndoTakesBackTheLastSetting) {
   EXPECT_EQ(model.request.settings->grid.capacity, FrameSettings{}.grid.capacity);
 }
 
+TEST(Preferences, AreWrittenWhileTheProgramRunsOnceTheyChanged) {
+  const std::filesystem::path file = std::filesystem::temp_directory_path() / "gridscope_keeper_test" / "window.json";
+  WindowModel model;
+  PreferenceKeeper keeper(model, file);
+  model.now = 10.0;
+  keeper.look(model);
+  EXPECT_FALSE(std::filesystem::exists(file)) << "nothing changed";
+  model.splits.left = 222.0f;
+  model.now = 11.0;
+  keeper.look(model);
+  EXPECT_FALSE(std::filesystem::exists(file)) << "a splitter may still be dragged";
+  model.now = 14.0;
+  keeper.look(model);
+  WindowModel read;
+  readPreferences(read, file);
+  EXPECT_EQ(read.splits.left, 222.0f);
+  std::filesystem::remove_all(file.parent_path());
+}
+
 TEST(Preferences, ComeBackAsTheyWereWritten) {
   const std::filesystem::path file = std::filesystem::temp_directory_path() / "gridscope_preferences_test" / "window.json";
   WindowModel model;
@@ -84,7 +127,7 @@ TEST(Preferences, ComeBackAsTheyWereWritten) {
   model.theme = Theme::light;
   model.recentFiles = {"a.glb"};
   model.savedBookmarks["hall"].push_back({"door", {.name = "door", .eye = vec3(1, 2, 3)}});
-  writePreferences(model, file);
+  writePreferences(preferencesText(model), file);
   WindowModel read;
   readPreferences(read, file);
   EXPECT_EQ(read.splits.left, 321.0f);

@@ -209,5 +209,130 @@ TEST(FrameWorker, TheTruthIsToldWhenItIsAskedFor) {
   ASSERT_TRUE(frame->record && frame->record->truth && frame->record->exact);
 }
 
+TEST(FrameWorker, ACaptureKeepsTheOrderOfItsReferencesAndTakesOtherGrids) {
+  const std::string file = (std::filesystem::temp_directory_path() / "frame_worker_order_test.gridcap").string();
+  Running running;
+  running.begin();
+  running.worker.capture({.file = file, .note = ""});
+  settle(running.worker);
+  running.request = {};
+  running.request.source.scene = file;
+  running.request.views = {"final"};
+  const auto captured = running.begin();
+  running.request.settings->grid.numberBy = NumberBy::area;
+  const auto refused = running.ask();
+  EXPECT_NE(refused->fault.find("keep their order"), std::string::npos) << refused->fault;
+  running.request.settings = refused->request.settings;
+  running.request.settings->grid.capacity += 3;
+  const auto after = running.ask();
+  EXPECT_EQ(after->fault, "");
+  EXPECT_EQ(after->grid->parameters.capacity, captured->grid->parameters.capacity + 3);
+  running.request.edits = {{.sceneInstance = 0, .kind = InstanceEdit::Kind::hide}};
+  EXPECT_NE(running.ask()->fault.find("of a capture"), std::string::npos);
+  std::filesystem::remove(file);
+}
+
+TEST(FrameWorker, EditsOfInstancesThatAreGoneAreLeftOut) {
+  Running running;
+  running.request.source.teapots = 2;
+  const auto two = running.begin();
+  const uint32_t last = uint32_t(two->scene->names.instances.size()) - 1;
+  running.request.edits = {{.sceneInstance = 0, .kind = InstanceEdit::Kind::hide}, {.sceneInstance = last, .kind = InstanceEdit::Kind::hide}};
+  EXPECT_EQ(running.ask()->fault, "");
+  running.request.source.teapots = 1;
+  const auto one = running.ask();
+  EXPECT_EQ(one->fault, "");
+  ASSERT_EQ(one->request.edits.size(), 1u);
+  EXPECT_EQ(one->request.edits[0].sceneInstance, 0u);
+  EXPECT_FALSE(one->stale);
+}
+
+TEST(FrameWorker, PicturesComeWhileTheCameraMovesAllTheTime) {
+  Options options = startOptions("hall");
+  options.size = FrameSize{320, 180};
+  Running running(options);
+  const auto first = running.begin();
+  auto picture = first->views.at("final");
+  int pictures = 0;
+  const auto began = std::chrono::steady_clock::now();
+  for (int i = 1; std::chrono::steady_clock::now() - began < std::chrono::seconds(4); ++i) {
+    running.request.settings->camera.eye.x += i % 200 < 100 ? 0.01f : -0.01f;
+    running.worker.ask(running.request);
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    const auto now = running.worker.newest()->views.at("final");
+    pictures += now != picture;
+    picture = now;
+  }
+  EXPECT_GT(pictures, 4);
+  settle(running.worker);
+}
+
+TEST(FrameWorker, ALayerBeyondTheGridIsItsLast) {
+  Running running;
+  running.begin();
+  running.request.views = {"slice"};
+  running.request.slice = {.axis = 2, .index = 100000};
+  const auto frame = running.ask();
+  ASSERT_TRUE(frame->views.contains("slice"));
+  EXPECT_EQ(frame->request.slice.index, frame->parameters.grid.cellCount.z - 1);
+  for (const LogLine& line : running.worker.takeLines()) EXPECT_NE(line.kind, LogLine::Kind::error) << line.text;
+}
+
+TEST(FrameWorker, TheLastUpdateIsShownWhenItIsAskedForAfterwards) {
+  Options options = startOptions("hall");
+  options.teapots = 1;
+  Running running(options);
+  running.begin();
+  running.request.timeSeconds = 0.5;
+  running.request.frame = 1;
+  const auto before = running.ask();
+  running.request.views = {"update"};
+  const auto frame = running.ask();
+  ASSERT_TRUE(frame->views.contains("update"));
+  bool changed = false;
+  for (const ViewElement& element : frame->views.at("update")->elements) changed |= element.kind != kElementNothing;
+  EXPECT_TRUE(changed);
+  EXPECT_TRUE(frame->grid == before->grid);
+
+  // As it is when the view is shown while time goes on.
+  Running shown(options);
+  shown.request.views = {"update"};
+  shown.begin();
+  shown.request.timeSeconds = 0.5;
+  shown.request.frame = 1;
+  EXPECT_TRUE(sameBytes(shown.ask()->views.at("update")->elements, frame->views.at("update")->elements));
+}
+
+TEST(FrameWorker, ACancelThatComesTooLateDoesNotEndTheNextLoad) {
+  Running running;
+  running.begin();
+  running.worker.cancel();
+  running.request = {};
+  running.request.source.scene = "hall";
+  running.request.views = {"final"};
+  const auto frame = running.ask();
+  EXPECT_EQ(frame->fault, "");
+  EXPECT_EQ(frame->scene->name, "hall");
+}
+
+TEST(FrameWorker, AProofThatWasCancelledDoesNotComeWithTheNextTruth) {
+  Running running;
+  running.begin();
+  running.request.proveAll = 1;   // as it stands when the truth is declined while it is being proved
+  running.request.truth = false;
+  running.ask();
+  running.request.truth = true;
+  EXPECT_FALSE(running.ask()->proofs);
+  running.request.proveAll = 2;
+  EXPECT_TRUE(running.ask()->proofs);
+}
+
+TEST(FrameWorker, TheOccupiedCellsComeWithTheGrid) {
+  Running running;
+  const auto frame = running.begin();
+  ASSERT_TRUE(frame->occupied);
+  EXPECT_EQ(frame->occupied->size(), size_t(frame->totals.statistics.occupied));
+}
+
 }  // namespace
 }  // namespace gridscope

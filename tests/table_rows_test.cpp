@@ -88,6 +88,16 @@ TEST(TableRows, AnAreaMarksItsRaysAndWhatTheyHit) {
   EXPECT_EQ(sheetRows(makeSheet(TableKind::cells, withRays.frame, area), {}, "").inArea, 1u);
 }
 
+TEST(TableRows, WhileAnotherGridIsOnItsWayTheOldOneKeepsItsShape) {
+  SmallFrame small;
+  FrameSnapshot coarser = small.frame;
+  coarser.parameters.grid.cellCount = ivec3(1);
+  const PixelArea area{ivec2(0), ivec2(4, 2)};
+  const Sheet before = makeSheet(TableKind::cells, small.frame, area), now = makeSheet(TableKind::cells, coarser, area);
+  EXPECT_EQ(now.ids, before.ids);
+  EXPECT_EQ(now.inArea, before.inArea);
+}
+
 TEST(TableRows, AFrameWithoutProductsMakesEmptyTables) {
   const FrameSnapshot nothing;
   for (const TableKind kind : {TableKind::cells, TableKind::instances, TableKind::triangles, TableKind::rays})
