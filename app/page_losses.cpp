@@ -119,7 +119,7 @@ std::string worstTable(const PageFrame& frame) {
 std::string verdictsHtml(const PageFrame& frame) {
   const TruthTotals& totals = frame.explained.frame.totals;
   const std::string proofs = frame.explained.proofs ? proofTable(*frame.explained.proofs)
-                                                    : "<p class=\"dim\">The causes are not proven on this page: --verify takes each away and traces the ray again.</p>\n";
+                                                    : "<p class=\"dim\">So many causes are not proven without being asked: --verify takes each away and traces the ray again.</p>\n";
   return "<div class=\"columns\"><div>" + verdictTable(totals) + "</div><div>" + causeTable(totals) + "</div></div>\n" + proofs;
 }
 
