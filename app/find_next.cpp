@@ -38,6 +38,13 @@ class RayWalk {
   std::optional<size_t> at_;
 };
 
+// Where the rays of a picture are looked at first.
+std::optional<uint32_t> middlePixel(const FrameSnapshot& frame) {
+  if (!frame.request.settings) return std::nullopt;
+  const FrameSettings& settings = *frame.request.settings;
+  return settings.height / 2 * settings.width + settings.width / 2;
+}
+
 bool isRay(const FrameSnapshot& frame, uint32_t pixel) {
   return frame.hits && pixel < frame.hits->size() && (*frame.hits)[pixel].kind != kHitNoRay;
 }
@@ -46,6 +53,7 @@ bool isRay(const FrameSnapshot& frame, uint32_t pixel) {
 
 std::optional<uint32_t> nextRay(const FrameSnapshot& frame, std::span<const uint32_t> order, std::optional<uint32_t> from, const RayWanted& wanted) {
   if (wanted.asksForTruth() && !frame.truths) return std::nullopt;
+  if (!from && order.empty()) from = middlePixel(frame);
   return RayWalk(frame, order, from).first(true, [&](uint32_t pixel) {
     if (!isRay(frame, pixel)) return false;
     if (wanted.kind && (*frame.hits)[pixel].kind != *wanted.kind) return false;

@@ -19,8 +19,9 @@ struct RayWanted {
   bool asksForTruth() const { return verdict || cause; }  // then the frame must hold truths
 };
 
-// The first such ray behind pixel `from` in `order` (RayOrder::pixels; empty: all pixels, rising), from its beginning when `from` is not given
-// or not in it; `from` itself comes last. Nothing: there is none, or the truth that was asked for has not been told.
+// The first such ray behind pixel `from` in `order` (RayOrder::pixels; empty: all pixels, rising), from its beginning when `from` is not in it;
+// `from` itself comes last. Where `from` is not given an order begins at its beginning, the picture in its middle. Nothing: there is none, or
+// the truth that was asked for has not been told.
 std::optional<uint32_t> nextRay(const FrameSnapshot& frame, std::span<const uint32_t> order, std::optional<uint32_t> from, const RayWanted& wanted);
 
 std::optional<uint32_t> nextHole(const FrameSnapshot& frame, std::span<const uint32_t> order, std::optional<uint32_t> from);

@@ -13,10 +13,17 @@ using Pixels = std::vector<uint32_t>;
 TEST(FindNext, TheNextHoleGoesAroundAndEndsAtItself) {
   SmallFrame small;
   small.tellTruth();
-  EXPECT_EQ(nextHole(small.frame, {}, std::nullopt), 3u);
   EXPECT_EQ(nextHole(small.frame, {}, 3u), 6u);
   EXPECT_EQ(nextHole(small.frame, {}, 6u), 3u);
   EXPECT_EQ(nextVoxelWrong(small.frame, {}, 4u), 4u);
+}
+
+TEST(FindNext, BeginsInTheMiddleOfThePicture) {
+  SmallFrame small;
+  small.tellTruth();
+  ASSERT_EQ(nextHole(small.frame, {}, 0u), 3u) << "the first of the picture";
+  EXPECT_EQ(nextHole(small.frame, {}, std::nullopt), 3u) << "of 4x2 pixels, 6 is the middle, and comes last";
+  EXPECT_EQ(nextRay(small.frame, {}, std::nullopt, {}), 7u);
 }
 
 TEST(FindNext, FollowsTheOrderOfTheTable) {
