@@ -259,6 +259,30 @@ TEST(Truth, HitsOneUlpOffHaveTheCausesAndTheProofsOfTheTracesOwn) {
   }
 }
 
+// A lesson's frame whose hits were made by another rule: every cause is proven, by removing events or by making the hit.
+TEST(Truth, ALessonTracedWithoutKeyingOrWithAnotherTMinIsProven) {
+  for (float tMin : {1e-3f, 0.2f})
+    for (uint32_t threshold : {0u, 128u, 256u}) {
+      TruthScene scene = lessonScene("alpha-leaf");
+      scene.grid.capacity = 6;
+      scene.tracedElsewhere = [&](BuiltScene& built) {
+        const std::vector<TraceMaterial> materials = built.numbered.materials;
+        for (TraceMaterial& material : built.numbered.materials) material.alphaThreshold = threshold;
+        TraceSettings other = scene.trace;
+        other.tMin = tMin;
+        std::vector<Hit> hits(scene.rays.size());
+        traceRays(built.traceInput(other), scene.rays, hits, {});
+        built.numbered.materials = materials;
+        return hits;
+      };
+      const ToldScene told(scene);
+      EXPECT_EQ(told.totals.causes[kCauseAlpha] > 0u, threshold != 128u) << tMin << ", " << threshold;
+      EXPECT_EQ(told.totals.causes[kCauseSelfHit] > 0u, tMin == 0.2f) << tMin << ", " << threshold;
+      EXPECT_EQ(told.totals.causes[kCauseNumeric], 0u) << tMin << ", " << threshold;
+      EXPECT_TRUE(told.proofs().notConfirmed.empty()) << tMin << ", " << threshold;
+    }
+}
+
 TEST(Truth, AValidRayWithoutAHitIsAMiss) {
   TruthScene scene{.scene = sceneOf({panelAt(5.5f)}), .rays = rayBundle(), .grid = unitCells(8)};
   scene.rays[1].valid = 0u;
