@@ -18,7 +18,7 @@ void addReportOptions(CLI::App& command, Options& options) {
 }
 
 int runReport(const Options& options) {
-  Progress progress(7 + allViews().size());
+  Progress progress(kPageSteps + allViews().size());
   Session session(options, progress);
   const PageFrame frame = makePageFrame(options, session, progress);
   progress.step("write the page");

@@ -117,6 +117,7 @@ bool FrameMaker::bringSource(FrameRequest& request) {
       return false;
     }
     if (!request.settings) request.settings = loaded->settings;
+    if (!loaded->rays.empty()) request.settings->width = loaded->settings.width, request.settings->height = loaded->settings.height;
     replaceSource(std::move(*loaded));
     dirty_.source = true;
     dirty_.spread();
@@ -207,8 +208,11 @@ bool FrameMaker::capturedGridHolds() const {
 }
 
 bool FrameMaker::capturedRaysHold() const {
+  if (!loaded_->capture) return false;
   const FrameSettings &now = *made_.settings, &own = loaded_->settings;
-  return loaded_->capture && made_.edits.empty() && sameCamera(now.camera, own.camera) && sameBounce(now.bounce, own.bounce) &&
+  const std::vector<CameraPose>& cameras = loaded_->cameras;
+  const CameraPose& camera = cameras.size() > 1 ? cameras[made_.frame % cameras.size()] : own.camera;
+  return made_.edits.empty() && sameCamera(now.camera, camera) && sameBounce(now.bounce, own.bounce) &&
          now.width == own.width && now.height == own.height;
 }
 

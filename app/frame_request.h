@@ -19,6 +19,7 @@ struct FrameSource {
   std::string scene = "hall";          // path of a .gltf, .glb or .gridcap, or a built-in scene's name
   uint32_t teapots = 0;                // added to the scene
   std::optional<uint32_t> moving;      // of the added teapots; all when not given
+  std::string rays;                    // path of a .npy file with rays of one's own; empty: the bounce makes them
   uint32_t loadCount = 0;              // raised to load the same source again
   bool operator==(const FrameSource&) const = default;
 };

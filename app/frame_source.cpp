@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <filesystem>
 #include <thread>
 
@@ -13,7 +14,7 @@
 
 namespace gridscope {
 
-FrameSource sourceOf(const Options& options) { return {.scene = options.scene, .teapots = options.teapots, .moving = options.moving}; }
+FrameSource sourceOf(const Options& options) { return {.scene = options.scene, .teapots = options.teapots, .moving = options.moving, .rays = options.rays.string()}; }
 
 // Later sources come with the defaults: options were given for the first.
 static Options optionsFor(const FrameSource& source, const Options& start) {
@@ -24,6 +25,7 @@ static Options optionsFor(const FrameSource& source, const Options& start) {
   options.scene = source.scene;
   options.teapots = source.teapots;
   options.moving = source.moving;
+  options.rays = source.rays;
   return options;
 }
 
@@ -36,6 +38,25 @@ static std::vector<CameraPose> camerasOf(const Scene& scene, const CameraPose& c
   return cameras;
 }
 
+// Where the frames of a captured sequence were seen from: one camera each where they differ, else the one of all.
+static std::vector<CameraPose> camerasOf(const Capture& capture) {
+  const CameraPose& first = capture.settings.camera;
+  const auto differs = [&](const CaptureFrame& frame) {
+    const CameraParameters &a = frame.camera, &b = capture.frames.front().camera;
+    return a.eye != b.eye || a.forward != b.forward || a.up != b.up || a.tanHalfHeight != b.tanHalfHeight;
+  };
+  std::vector<CameraPose> cameras{first};
+  if (cameras[0].name.empty()) cameras[0].name = "captured";
+  if (std::ranges::none_of(capture.frames, differs)) return cameras;
+  const float distance = glm::distance(first.eye, first.target);
+  for (size_t i = 1; i < capture.frames.size(); ++i) {
+    const CameraParameters& camera = capture.frames[i].camera;
+    cameras.push_back({.name = "frame " + std::to_string(i), .eye = camera.eye, .target = camera.eye + distance * camera.forward, .up = camera.up,
+                       .verticalFovDegrees = glm::degrees(2.0f * std::atan(camera.tanHalfHeight))});
+  }
+  return cameras;
+}
+
 LoadedSource loadSource(const FrameSource& source, const Options& start) {
   const Options options = optionsFor(source, start);
   LoadedSource loaded{.source = source};
@@ -45,8 +66,7 @@ LoadedSource loadSource(const FrameSource& source, const Options& start) {
     loaded.scene = std::move(scene.scene);
     loaded.settings = scene.settings;
     loaded.bounds = loaded.capture->bounds;
-    loaded.cameras = {loaded.settings.camera};
-    if (loaded.cameras[0].name.empty()) loaded.cameras[0].name = "captured";
+    loaded.cameras = camerasOf(*loaded.capture);
     return loaded;
   }
   LoadedScene scene = loadScene(options);

@@ -76,10 +76,10 @@ bool FrameWorker::idle() const {
   return idle_;
 }
 
-void FrameWorker::say(LogLine::Kind kind, std::string text) {
+void FrameWorker::say(LogLine::Kind kind, std::string text, bool shown) {
   {
     std::lock_guard lock(mutex_);
-    lines_.push_back({kind, 0.0, std::move(text)});
+    lines_.push_back({kind, 0.0, std::move(text), shown});
   }
   wake_();
 }
@@ -158,9 +158,9 @@ void FrameWorker::work(GpuContext& gpu) {
     for (const CaptureWish& wish : captures) {
       try {
         maker.writeCapture(wish);
-        say(LogLine::Kind::note, "Captured " + wish.file);
+        say(LogLine::Kind::note, "Captured " + wish.file, true);
       } catch (const std::exception& error) {
-        say(LogLine::Kind::error, error.what());
+        say(LogLine::Kind::error, error.what(), true);
       }
     }
   }

@@ -34,7 +34,7 @@ class FrameWorker {
   void run();
   void work(GpuContext& gpu);
   FrameListener listener();
-  void say(LogLine::Kind kind, std::string text);
+  void say(LogLine::Kind kind, std::string text, bool shown = false);
 
   Options start_;
   std::function<void()> wake_;

@@ -39,6 +39,8 @@ FrameRequest requestOf(const WindowModel& model) {
     const View* view = findView(name);
     if (view && (view->need == ViewNeed::truth || view->need == ViewNeed::triangleCosts) && !model.truthDeclined) request.truth = true;
   }
+  // One ray's proof takes no time worth waiting for.
+  if (request.truth && model.frame && model.frame->truths) request.proveRecorded = true;
   return request;
 }
 
@@ -67,7 +69,8 @@ static void greetScene(WindowModel& model) {
   model.camera.speed = 0.1f * glm::distance(frame.scene->bounds.low, frame.scene->bounds.high);
   model.overlays.clipBox = frame.scene->bounds;
   for (ViewportPlace& place : model.places) place = {};
-  model.bookmarks = model.savedBookmarks[frame.scene->path];
+  model.bookmarksOf = bookmarkKey(frame.scene->path);
+  model.bookmarks = model.savedBookmarks[model.bookmarksOf];
   if (!std::filesystem::exists(frame.scene->path)) return;   // built in
   const std::string path = std::filesystem::absolute(frame.scene->path).lexically_normal().string();
   std::erase(model.recentFiles, path);
@@ -99,9 +102,7 @@ void takeFrame(WindowModel& model, std::shared_ptr<const FrameSnapshot> frame) {
   else if (before && before->scene && model.frame->scene && before->request.settings && model.frame->request.settings) carrySelection(model, *before);
   if (!model.frame->fault.empty()) {
     // What can't be had is no longer asked for.
-    model.say(LogLine::Kind::error, model.frame->fault);
-    model.toast = model.frame->fault;
-    model.toastUntil = model.now + 8.0;
+    model.announce(LogLine::Kind::error, model.frame->fault);
     if (model.frame->request.settings) {
       if (model.request.source != model.frame->request.source) {   // opening a file had set these back
         model.request.frame = model.frame->request.frame;
@@ -116,6 +117,7 @@ void takeFrame(WindowModel& model, std::shared_ptr<const FrameSnapshot> frame) {
 }
 
 void openSource(WindowModel& model, const std::string& path) {
+  if (std::filesystem::path(path).extension() == ".npy") return useRaysOf(model, path);
   const uint32_t loads = model.request.source.loadCount + 1;
   model.request.source = {.scene = path, .loadCount = loads};
   model.request.settings.reset();
@@ -125,18 +127,27 @@ void openSource(WindowModel& model, const std::string& path) {
   model.playing = false;
 }
 
+void useRaysOf(WindowModel& model, const std::string& path) {
+  if (model.frame && model.frame->scene && model.frame->scene->captureFrames > 0) return model.showMessage(path + ": a capture has rays of its own; open a scene first");
+  model.request.source.rays = path;
+}
+
 void setTime(WindowModel& model, double seconds) {
   model.request.timeSeconds = std::max(seconds, 0.0);
   model.request.frame = uint32_t(std::lround(model.request.timeSeconds / std::max(model.timeStep, 1e-6)));
 }
 
+void showCapturedFrame(WindowModel& model, uint32_t frame) {
+  const std::vector<CameraPose>& cameras = model.frame->scene->cameras;
+  const bool each = cameras.size() > 1 && cameras.size() == model.frame->scene->captureFrames;
+  if (each && sameCamera(model.camera.pose, cameras[model.request.frame % cameras.size()])) model.camera.pose = cameras[frame % cameras.size()];
+  model.request.frame = frame;
+}
+
 void stepTime(WindowModel& model, int frames) {
   const uint32_t captured = model.frame && model.frame->scene ? model.frame->scene->captureFrames : 0;
   int64_t next = int64_t(model.request.frame) + frames;
-  if (captured > 0) {
-    model.request.frame = uint32_t((next + captured) % captured);
-    return;
-  }
+  if (captured > 0) return showCapturedFrame(model, uint32_t((next + captured) % captured));
   next = std::max<int64_t>(next, 0);
   model.request.timeSeconds = std::max(0.0, model.request.timeSeconds + double(next - int64_t(model.request.frame)) * model.timeStep);
   model.request.frame = uint32_t(next);
@@ -156,7 +167,7 @@ static void focusOnWanted(WindowModel& model) {
 void advanceModel(WindowModel& model) {
   focusOnWanted(model);
   holdRay(model);
-  if (model.frame && model.frame->scene) model.savedBookmarks[model.frame->scene->path] = model.bookmarks;
+  if (!model.bookmarksOf.empty()) model.savedBookmarks[model.bookmarksOf] = model.bookmarks;
   static double nextStepDue = 0.0;
   advancePlay(model, nextStepDue);
   followStep(model);

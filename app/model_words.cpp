@@ -7,7 +7,7 @@ namespace gridscope {
 
 static constexpr size_t kMostLogLines = 5000;
 static constexpr size_t kMostUndo = 200;
-static constexpr double kToastSeconds = 4.0;
+static constexpr double kToastSeconds = 4.0, kErrorToastSeconds = 8.0;
 
 void WindowModel::say(LogLine::Kind kind, std::string text) {
   if (logToStandardError || kind == LogLine::Kind::error) std::fprintf(stderr, "%s\n", text.c_str());
@@ -15,10 +15,10 @@ void WindowModel::say(LogLine::Kind kind, std::string text) {
   if (log.size() > kMostLogLines) log.pop_front();
 }
 
-void WindowModel::showMessage(std::string text) {
+void WindowModel::announce(LogLine::Kind kind, std::string text) {
   toast = text;
-  toastUntil = now + kToastSeconds;
-  say(LogLine::Kind::note, std::move(text));
+  toastUntil = now + (kind == LogLine::Kind::note ? kToastSeconds : kErrorToastSeconds);
+  say(kind, std::move(text));
 }
 
 void WindowModel::changeSettings(const std::function<void(FrameSettings&)>& change) {

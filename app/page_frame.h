@@ -34,6 +34,9 @@ struct PageFrame {
   std::string command;                   // that makes the page again
 };
 
+// Steps that the progress of a page counts, the views' apart.
+inline constexpr uint64_t kPageSteps = 7;
+
 // Runs the stages, finds the truth and paints the views.
 PageFrame makePageFrame(const Options& options, Session& session, Progress& progress);
 

@@ -3,9 +3,11 @@
 #include <numeric>
 
 #include "app/find_next.h"
+#include "app/model_flow.h"
 #include "app/panel_sheet.h"
 #include "app/panel_table_parts.h"
 #include "app/panel_truth_marks.h"
+#include "app/table_exports.h"
 #include "app/table_rows.h"
 #include "app/text.h"
 #include "app/window_panels.h"
@@ -23,7 +25,29 @@ constexpr size_t kMostMeshes = 10;
 void goToNext(WindowModel& model, const RayWanted& wanted, std::string_view what) {
   const std::optional<uint32_t> pixel = nextRay(*model.frame, model.rayOrder.pixels, model.selected().pixel, wanted);
   if (pixel) model.selection.selectPixel(*pixel);
-  else announce(model, LogLine::Kind::note, "No ray of this frame is: " + std::string(what));
+  else model.announce(LogLine::Kind::note, "No ray of this frame is: " + std::string(what));
+}
+
+// A cause's evidence in a table's column; the tooltip has it at length.
+const char* evidenceWords(uint32_t cause) {
+  switch (cause) {
+    case kCauseRefused: return "no slot left in the hit's cell";
+    case kCauseSteppedOver: return "no segment in the hit's cell";
+    case kCauseRevisit: return "the segment that reaches it was skipped";
+    case kCauseSegmentEnd: return "queried, hit outside the segment";
+    case kCauseAcceptedEarly: return "a farther hit came first";
+    case kCauseGate: return "gap held back near the launch";
+    case kCauseFilledEarly: return "an earlier full cell ended the ray";
+    case kCauseAlpha: return "alpha keying decided otherwise";
+    case kCauseSelfHit: return "nearer than what counts";
+    case kCauseOutside: return "outside the grid";
+    case kCauseLeftOut: return "the build leaves it out";
+    case kCauseStale: return "a reference of an older frame";
+    case kCauseNotInserted: return "missing though there was room";
+    case kCauseSegmentLimit: return "the limit ended the ray";
+    case kCauseNumeric: return "an edge within rounding";
+    default: return "";
+  }
 }
 
 void beginTextColumn(const char* title, float weight) { ImGui::TableSetupColumn(title, ImGuiTableColumnFlags_WidthStretch, weight); }
@@ -68,7 +92,7 @@ void drawCauseRow(WindowModel& model, uint32_t cause) {
   ImGui::TableSetColumnIndex(2);
   rightNumber(percentOf(rays, frame.truthTotals.differ()), uiColour(UiColour::text));
   ImGui::TableSetColumnIndex(3);
-  smallText(name.about, uiColour(UiColour::dim));
+  smallText(evidenceWords(cause), uiColour(UiColour::dim));
   ImGui::TableSetColumnIndex(4);
   drawConfirmed(frame, cause);
   ImGui::PopID();
@@ -85,6 +109,10 @@ void drawCauseTable(WindowModel& model, const ImVec2& size) {
     if (model.frame->truthTotals.causes[cause] > 0) causes.push_back(cause);
   const auto& totals = model.frame->truthTotals.causes;
   std::stable_sort(causes.begin(), causes.end(), [&](uint32_t a, uint32_t b) { return totals[a] > totals[b]; });
+  const std::optional<uint32_t> pixel = model.selected().pixel;
+  const auto now = pixel && *pixel < model.frame->truths->size() ? std::ranges::find(causes, (*model.frame->truths)[*pixel].cause) : causes.end();
+  const auto selected = now == causes.end() ? std::nullopt : std::optional(size_t(now - causes.begin()));
+  if (const auto row = rowBeside(selected, model.rowStep, causes.size()); row && row != selected) goToNext(model, {.cause = causes[*row]}, causeName(causes[*row]).title);
   for (const uint32_t cause : causes) drawCauseRow(model, cause);
   ImGui::EndTable();
 }
@@ -167,11 +195,16 @@ void drawProve(WindowModel& model) {
   const FrameSnapshot& frame = *model.frame;
   const bool waiting = asked != 0 && asked == model.request.proveAll && !frame.proofs;
   const char* label = waiting ? "Proving..." : "Prove all";
-  toTheRight(smallButtonWidth(label));
+  toTheRight(smallButtonWidth(label) + unit(6) + smallButtonWidth("Export CSV"));
   const bool possible = !waiting && frame.truthTotals.differ() > 0;
   const char* why = waiting ? "The rays are traced again, each without its cause" : "Every ray agrees";
   if (smallButton(label, "prove", "Traces every ray that differs again with its cause alone taken away, and counts those that then agree", possible, why))
     asked = ++model.request.proveAll;
+  ImGui::SameLine(0.0f, unit(6));
+  if (smallButton("Export CSV", "csv", "Writes the causes, and the meshes that cost rays, as CSV files in the folder where the program was started")) {
+    exportCsv(model, "causes", causeRows(frame.truthTotals, frame.proofs.get()));
+    if (frame.ledger) exportCsv(model, "costly_meshes", meshRows(*frame.ledger, frame.scene->names));
+  }
 }
 
 void drawCauseStrip(WindowModel& model, bool both, bool& showMeshes) {

@@ -5,6 +5,7 @@
 #include "app/panel_table_parts.h"
 #include "app/ray_stepping.h"
 #include "app/scene_places.h"
+#include "app/table_exports.h"
 #include "app/table_rows.h"
 #include "app/text.h"
 #include "app/window_widgets.h"
@@ -156,7 +157,10 @@ void drawCellInspector(WindowModel& model, ivec3 cell) {
   const bool refused = contents.refusedCount > 0;
   const float room = ImGui::GetContentRegionAvail().y - unit(36) - (refused ? unit(34) : 0.0f);
   const float refusedHeight = refused ? std::min(rowsHeight(std::max<size_t>(contents.refused.size(), 3)), std::max(0.4f * room, room - rowsHeight(contents.stored.size()))) : 0.0f;
-  if (sectionHeader("Slots", printed("%zu of %d", contents.stored.size(), frame.grid->parameters.capacity))) {
+  bool csv = false;
+  const bool open = tableSection("Slots", printed("%zu of %d", contents.stored.size(), frame.grid->parameters.capacity), contents.stored.size(), csv);
+  if (csv) exportCsv(model, printed("slots_%d_%d_%d", cell.x, cell.y, cell.z), slotRows(*frame.scene, contents));
+  if (open) {
     if (contents.stored.empty()) emptyState("Every slot is blank: rays pass through this cell with one read.");
     else drawReferenceTable(model, "slots", contents.stored, false, std::max(unit(80), std::min(rowsHeight(contents.stored.size()), room - refusedHeight)));
   }

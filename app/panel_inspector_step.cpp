@@ -5,6 +5,7 @@
 #include "app/panel_inspector.h"
 #include "app/panel_table_parts.h"
 #include "app/ray_stepping.h"
+#include "app/table_exports.h"
 #include "app/text.h"
 #include "app/window_widgets.h"
 #include "shaders/shared/palette.h"
@@ -214,7 +215,10 @@ void drawStepInspector(WindowModel& model, const ShownStep& shown) {
   const bool proven = shown.ray->proof && shown.ray->proof->confirmed;
   const float room = ImGui::GetContentRegionAvail().y - unit(26 + 10) - (facts.refused ? unit(34) : 0.0f) - (proven ? unit(60) : 0.0f);
   const float refusedHeight = std::min(tableHeight(std::max<size_t>(refused.size(), 1)), std::max(0.35f * room, room - tableHeight(tests.size())));
-  if (sectionHeader("Tests", printed("%zu tested, %td hit", facts.tests.size(), hits))) {
+  bool csv = false;
+  const bool open = tableSection("Tests", printed("%zu tested, %td hit", facts.tests.size(), hits), facts.tests.size() + facts.refusedTests.size(), csv);
+  if (csv) exportCsv(model, printed("tests_step_%u", facts.index), testRows(*model.frame->scene, facts));
+  if (open) {
     if (tests.empty()) emptyState("No reference was tested in this step.");
     else drawTestTable(model, "tests", tests, std::max(std::min(tableHeight(tests.size()), room - (facts.refused ? refusedHeight : 0.0f)), unit(80)));
   }

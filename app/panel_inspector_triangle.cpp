@@ -7,6 +7,7 @@
 #include "app/panel_table_parts.h"
 #include "app/scene_places.h"
 #include "app/table_rows.h"
+#include "app/table_exports.h"
 #include "app/text.h"
 #include "app/window_widgets.h"
 #include "shaders/shared/palette.h"
@@ -164,7 +165,11 @@ void drawTriangleInspector(WindowModel& model, uint32_t reference) {
   if (!cells.refusedKnown) whyTooltip("Known once the truth is told");
   drawTriangleRays(model, reference);
   ImGui::Dummy(ImVec2(0.0f, unit(2)));
-  if (!sectionHeader("Cells", printed("%zu", cells.stored.size() + cells.refused.size()))) return;
+  bool csv = false;
+  const size_t count = cells.stored.size() + cells.refused.size();
+  const bool open = tableSection("Cells", grouped(count), count, csv);
+  if (csv) exportCsv(model, printed("cells_of_%08X", reference), triangleCellRows(cells));
+  if (!open) return;
   if (cells.stored.empty() && cells.refused.empty()) return emptyState("No cell holds it: it has no area, or lies outside the grid.");
   drawCells(model, cells);
 }

@@ -8,9 +8,10 @@
 #include "app/panel_inspector.h"
 #include "app/panel_table_parts.h"
 #include "app/panel_truth_marks.h"
-#include "app/pixel_story.h"
+#include "app/pixel_brief.h"
 #include "app/ray_stepping.h"
 #include "app/scene_places.h"
+#include "app/table_exports.h"
 #include "app/table_rows.h"
 #include "app/text.h"
 #include "app/window_widgets.h"
@@ -33,8 +34,9 @@ SentencePart partOf(const RecordedRay& ray, const SceneFacts& scene, const Story
     case StoryPart::Kind::step:
       made.link = SentencePart::Link::step;
       for (size_t i = 0; i < ray.record.steps.size(); ++i)
-        if (ray.record.steps[i].segment == part.segment) made.number = static_cast<uint32_t>(i);
+        if (ray.record.steps[i].segment == part.segment) made.number = static_cast<uint32_t>(i), made.text = part.text.substr(0, 5) + std::to_string(i);
       break;
+    case StoryPart::Kind::refused: made.colour = kColourSaturated; break;
     default: break;
   }
   return made;
@@ -52,10 +54,7 @@ const Sentence& shownStory(const FrameSnapshot& frame, const std::shared_ptr<con
   const TruthInput truth{trace, *frame.demand};
   const StoryInput input{.truth = truth, .names = frame.scene->names, .pixel = ray.pixel, .width = frame.request.settings->width, .ray = ray.ray,
                          .traced = ray.record.hit, .exact = *ray.exact, .told = *ray.truth, .proof = nullptr};
-  for (StoryPart part : tellPixel(input)) {
-    std::replace(part.text.begin(), part.text.end(), '\n', ' ');
-    story.push_back(partOf(ray, *frame.scene, part));
-  }
+  for (const StoryPart& part : tellBriefly(input)) story.push_back(partOf(ray, *frame.scene, part));
   return story;
 }
 
@@ -69,12 +68,12 @@ void drawProof(WindowModel& model, const RecordedRay& ray) {
   }
   const Proof& proof = *ray.proof;
   const size_t links = proof.links.size();
-  const char* end = proof.foreign ? "ends as the frame's hit does" : "agrees with the exact hit";
+  const char* end = proof.foreign ? "ends as the frame's hit does" : "agrees";
   Sentence sentence;
   if (proof.confirmed) {
     sentence.push_back({.text = "Proven. ", .colour = kColourTriangleHit});
-    sentence.push_back({.text = links == 1 ? printed("With this event alone taken away, the ray %s.", end)
-                                           : printed("With these %zu events taken away in turn, the ray %s:", links, end)});
+    const char* how = proof.foreign ? "With that rule changed" : proofWords(links == 1 ? proof.links[0].cause : kCauseNone);
+    sentence.push_back({.text = links == 1 ? printed("%s, the ray %s.", how, end) : printed("With these %zu events taken away in turn, the ray %s:", links, end)});
   } else {
     sentence.push_back({.text = "Not confirmed. ", .colour = kColourHole});
     sentence.push_back({.text = links == 1 ? "Taking this event away leaves the ray different: " + hitWords(proof.hit) + "."
@@ -213,7 +212,10 @@ void drawVerdictRow(WindowModel& model, const VerdictLine& line) {
 
 void drawVerdicts(WindowModel& model) {
   const TruthTotals& totals = model.frame->truthTotals;
-  if (!sectionHeader("Verdicts", grouped(totals.rays) + " rays")) return;
+  bool csv = false;
+  const bool open = tableSection("Verdicts", grouped(totals.rays) + " rays", 1, csv);
+  if (csv) exportCsv(model, "verdicts", verdictRows(totals));
+  if (!open) return;
   const std::vector<VerdictLine> lines = verdictLines(totals);
   drawVerdictBar(lines, totals.rays);
   TableStyle style;
@@ -232,8 +234,12 @@ const std::vector<size_t>& worstCells(const FrameSnapshot& frame) {
 }
 
 void drawWorstCells(WindowModel& model) {
-  if (!model.frame->ledger || !sectionHeader("Cells that cost the most pixels")) return;
+  if (!model.frame->ledger) return;
   const std::vector<size_t>& worst = worstCells(*model.frame);
+  bool csv = false;
+  const bool open = tableSection("Cells that cost the most pixels", "", worst.size(), csv);
+  if (csv) exportCsv(model, "costly_cells", costlyCellRows(*model.frame->ledger));
+  if (!open) return;
   if (worst.empty()) return emptyState("No cell cost a pixel.");
   TableStyle style;
   const float room = ImGui::GetContentRegionAvail().y - unit(40);

@@ -3,20 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
-#include <fstream>
 
+#include "app/model_flow.h"
 #include "app/panel_table_parts.h"
+#include "app/table_exports.h"
 #include "app/text.h"
 #include "app/window_widgets.h"
 
 namespace gridscope {
-
-void announce(WindowModel& model, LogLine::Kind kind, const std::string& text) {
-  model.say(kind, text);
-  model.toast = text;
-  model.toastUntil = model.now + 4.0;
-}
 
 namespace {
 
@@ -32,33 +26,10 @@ bool filterChip(const std::string& text, const char* id) {
   return smallButton((text + "  \u00d7").c_str(), id, "Ends this filter");
 }
 
-// Writes beside what is there already; what to say of it.
-std::string writeCsv(const std::shared_ptr<const TableResult>& table, const std::string& scene) {
-  const std::string folder = std::filesystem::current_path().string();
-  const std::string name = freeCsvName(folder, scene, table->sheet->name);
-  std::ofstream file(std::filesystem::path(folder) / name, std::ios::binary);
-  file << sheetCsv(*table->sheet, table->shown.rows);
-  file.close();
-  if (!file) return "!" + name + ": cannot be written in " + folder + "; is the folder writable and the disk not full?";
-  return "Exported " + grouped(table->shown.rows.size()) + " rows to " + (std::filesystem::path(folder) / name).string();
-}
-
-void takeCsv(WindowModel& model, SheetPanel& panel) {
-  if (!panel.csv.valid() || panel.csv.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return;
-  const std::string said = panel.csv.get();
-  if (said.starts_with("!")) announce(model, LogLine::Kind::error, said.substr(1));
-  else announce(model, LogLine::Kind::note, said);
-}
-
 void drawExport(WindowModel& model, SheetPanel& panel) {
-  takeCsv(model, panel);
   const std::shared_ptr<const TableResult>& table = panel.job.result();
-  const bool ready = table && !table->shown.rows.empty() && !panel.csv.valid();
-  const char* label = panel.csv.valid() ? "Exporting..." : "Export CSV";
-  toTheRight(smallButtonWidth(label));
-  const char* why = panel.csv.valid() ? "The file is being written" : "The table has no rows";
-  if (smallButton(label, "csv", "Writes the rows shown, in this order, into the folder that the program was started in", ready, why))
-    panel.csv = std::async(std::launch::async, [table, scene = model.frame->scene->name] { return writeCsv(table, scene); });
+  if (!exportButton("Writes the rows shown, in this order, as a CSV file", table && !table->shown.rows.empty(), "The table has no rows")) return;
+  exportCsv(model, table->sheet->name, table->shown.rows.size(), [table] { return sheetCsv(*table->sheet, table->shown.rows); });
 }
 
 void drawStrip(WindowModel& model, SheetPanel& panel) {
@@ -178,6 +149,19 @@ void scrollToSelection(SheetPanel& panel, const TableResult& table, const SheetA
   if (top < ImGui::GetScrollY() || top + tableRowHeight() > ImGui::GetScrollY() + height) ImGui::SetScrollY(std::max(0.0f, top - 0.5f * height));
 }
 
+// Up and Down: as a click on the row beside the selected one.
+void stepRow(WindowModel& model, SheetPanel& panel, const TableResult& table, const SheetActions& actions) {
+  if (model.rowStep == 0) return;
+  const std::vector<uint32_t>& rows = table.shown.rows;
+  std::optional<size_t> selected;
+  for (size_t place = 0; actions.selectedId && place < rows.size() && !selected; ++place)
+    if (table.sheet->ids[rows[place]] == *actions.selectedId) selected = place;
+  if (const auto row = rowBeside(selected, model.rowStep, rows.size()); row && row != selected) {
+    actions.click(table.sheet->ids[rows[*row]]);
+    panel.shownId.reset();             // comes into sight, as a selection made elsewhere does
+  }
+}
+
 void drawTable(SheetPanel& panel, const TableResult& table, const SheetActions& actions) {
   const Sheet& sheet = *table.sheet;
   const int columnCount = static_cast<int>(sheet.columns.size()) + (actions.lastTitle ? 1 : 0);
@@ -204,6 +188,7 @@ void drawSheet(WindowModel& model, SheetPanel& panel, const SheetActions& action
   const std::shared_ptr<const TableResult> table = panel.job.result();
   if (!table) return emptyState("Counting...");
   if (table->shown.rows.empty()) return drawEmpty(model, panel, *table);
+  stepRow(model, panel, *table, actions);
   drawTable(panel, *table, actions);
 }
 

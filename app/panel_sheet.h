@@ -2,7 +2,6 @@
 #pragma once
 
 #include <functional>
-#include <future>
 #include <optional>
 #include <string>
 
@@ -17,7 +16,6 @@ struct SheetPanel {
   SheetOrder order;
   TableJob job{};
   std::optional<uint32_t> shownId{};       // the selection that the table was last scrolled to
-  std::future<std::string> csv{};          // a file on its way: what to say of it; begins with "!" when it went wrong
 };
 
 // What a table's rows mean.
@@ -32,8 +30,5 @@ struct SheetActions {
 
 // The strip above and the table, filling what is left of the region.
 void drawSheet(WindowModel& model, SheetPanel& panel, const SheetActions& actions);
-
-// A note in the log and for a moment over the viewport.
-void announce(WindowModel& model, LogLine::Kind kind, const std::string& text);
 
 }  // namespace gridscope

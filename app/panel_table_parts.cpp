@@ -74,6 +74,11 @@ bool rowButton(const char* label, const char* id, const char* tooltip, bool enab
   return clicked;
 }
 
+bool exportButton(const char* tooltip, bool enabled, const char* whyNot) {
+  toTheRight(smallButtonWidth("Export CSV"));
+  return smallButton("Export CSV", "csv", (std::string(tooltip) + ", in the folder where the program was started").c_str(), enabled, whyNot);
+}
+
 void tableTitle(const char* title, bool toTheRight) {
   ImGui::PushFont(windowFonts().sansSmall);
   ImGui::PushStyleColor(ImGuiCol_Text, uiColour(UiColour::dim));

@@ -27,6 +27,7 @@ void toTheRight(float width);                        // goes on in the present l
 bool smallButton(const char* label, const char* id, const char* tooltip, bool enabled = true, const char* whyNot = "");
 bool rowButton(const char* label, const char* id, const char* tooltip, bool enabled = true, const char* whyNot = "");  // within a row
 float smallButtonWidth(const char* label);
+bool exportButton(const char* tooltip, bool enabled = true, const char* whyNot = "");  // "Export CSV" at the right end of the present line
 
 void tableTitle(const char* title, bool toTheRight);  // in the present column of the title row
 bool rowSelectable(bool selected);                    // spans the row; what follows is drawn over it

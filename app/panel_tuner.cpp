@@ -3,9 +3,12 @@
 
 #include <algorithm>
 
+#include "app/comparison.h"
 #include "app/panel_sheet.h"
 #include "app/panel_table_parts.h"
+#include "app/table_exports.h"
 #include "app/text.h"
+#include "app/tune_report.h"
 #include "app/window_panels.h"
 #include "app/window_widgets.h"
 
@@ -18,9 +21,19 @@ std::optional<size_t> TunerPanel::recommended() const {
 }
 
 void applyRow(WindowModel& model, const TuneRow& row) {
-  if (!row.measured()) return announce(model, LogLine::Kind::warning, row.refusal);
+  if (!row.measured()) return model.announce(LogLine::Kind::warning, row.refusal);
   model.changeSettings([&](FrameSettings& settings) { applyTuneRow(row, settings); });
-  announce(model, LogLine::Kind::note, "Applied " + tuneTitle(row));
+  model.announce(LogLine::Kind::note, "Applied " + tuneTitle(row));
+}
+
+void compareRow(WindowModel& model, const TuneRow& row) {
+  if (!row.measured()) return applyRow(model, row);
+  keepFrame(model);
+  applyRow(model, row);
+  // The viewport, which the tuner fills in its own workspace.
+  if (model.workspace == Workspace::tune) model.workspace = Workspace::grid;
+  model.layout = ViewportLayout::compare;
+  model.showTab(BottomTab::tune);
 }
 
 double wrongShare(const TuneRow& row) { return row.rays == 0 ? 0.0 : 100.0 * double(row.wrong()) / double(row.rays); }
@@ -152,7 +165,15 @@ void drawTunerStrip(WindowModel& model, TunerPanel& tuner) {
   ImGui::SetNextWindowSize(ImVec2(unit(650), 0.0f));
   if (ImGui::BeginPopup("tuner axes")) drawAxes(model, tuner), ImGui::EndPopup();
   ImGui::SameLine(0.0f, unit(10));
-  if (tuner.state.running || !tuner.state.rows.empty()) return drawProgress(tuner.state);
+  if (tuner.state.running || !tuner.state.rows.empty()) {
+    drawProgress(tuner.state);
+    ImGui::SameLine();
+    if (exportButton("Writes every setting tried as a CSV file", !tuner.state.running && !tuner.state.rows.empty(), "The sweep is running")) {
+      const TuneResult result{.rows = tuner.state.rows, .recommended = tuner.state.recommended};
+      exportCsv(model, "tune", result.rows.size(), [result] { return tuneCsv(result); });
+    }
+    return;
+  }
   textMono(grouped(settingCount(tuner.axes, canRenumber(frame))));
   ImGui::SameLine(0.0f, unit(6));
   textDim("settings: " + axesText(tuner.axes));

@@ -41,6 +41,9 @@ void drawTunerRecommendation(WindowModel& model, TunerPanel& tuner, const ImVec2
 // Takes a row's setting over, to be undone like every other.
 void applyRow(WindowModel& model, const TuneRow& row);
 
+// The same, with the frame as it is now kept as B beside it.
+void compareRow(WindowModel& model, const TuneRow& row);
+
 // The colour of a capacity: small ones dark, large ones bright.
 ImVec4 capacityColour(const TunerPanel& tuner, uint32_t capacity);
 

@@ -109,6 +109,8 @@ void drawLimit(const PlotFrame& plot, const PlotScale& scale, TunerPanel& tuner,
   ImDrawList* list = ImGui::GetWindowDrawList();
   list->AddRectFilled(ImVec2(x, plot.low().y), plot.high(), packed(ImVec4(0, 0, 0, 0.22f)));
   list->AddLine(ImVec2(x, plot.low().y), ImVec2(x, plot.high().y), packed(uiColour(UiColour::accent)), unit(held ? 3.0f : 2.0f));
+  list->AddRectFilled(ImVec2(x - unit(4), plot.low().y - unit(6)), ImVec2(x + unit(4), plot.low().y + unit(6)), packed(uiColour(UiColour::accent)), unit(2));
+  if (ImGui::IsItemHovered()) whyTooltip("Drag: settings to the right of it are not recommended");
   const std::string text = againstTime ? printed("limit %.1f ms", amount) : "limit " + plotNumber(std::round(amount)) + " MiB";
   const float width = plotTextWidth(text, false);
   const float left = x + width + unit(6) < plot.high().x ? x + unit(5) : x - width - unit(5);

@@ -1,5 +1,6 @@
 // The tuner's rows, and what it recommends.
 #include <algorithm>
+#include <cfloat>
 #include <cmath>
 #include <numeric>
 
@@ -7,7 +8,7 @@
 #include "app/panel_table_parts.h"
 #include "app/panel_tuner.h"
 #include "app/text.h"
-#include "app/window_widgets.h"
+#include "app/window_rows.h"
 #include "shaders/shared/palette.h"
 
 namespace gridscope {
@@ -147,7 +148,7 @@ std::string changeText(double before, double after) {
   return printed("%+.0f %%", change);
 }
 
-void compareRow(const char* name, double before, double after, std::string (*textOf)(double)) {
+void changeRow(const char* name, double before, double after, std::string (*textOf)(double)) {
   ImGui::TableNextRow(0, unit(20));
   ImGui::TableSetColumnIndex(0);
   smallText(name, uiColour(UiColour::dim));
@@ -172,18 +173,18 @@ void drawComparison(const TuneRow& before, const TuneRow& after) {
   const auto wholeText = [](double value) { return grouped(uint64_t(std::llround(value))); };
   const auto meanText = [](double value) { return printed("%.1f", value); };
   const auto verdict = [](const TuneRow& row, uint32_t kind) { return share(row.verdicts[kind], row); };
-  compareRow("Wrong rays", wrongShare(before), wrongShare(after), shareText);
-  compareRow("Holes", verdict(before, kVerdictHole), verdict(after, kVerdictHole), shareText);
-  compareRow("Voxel wrong", verdict(before, kVerdictVoxelWrong), verdict(after, kVerdictVoxelWrong), shareText);
-  compareRow("Voxel right", verdict(before, kVerdictVoxelRight), verdict(after, kVerdictVoxelRight), shareText);
-  compareRow("Too far", verdict(before, kVerdictTooFar), verdict(after, kVerdictTooFar), shareText);
-  compareRow("Too near", verdict(before, kVerdictTooNear), verdict(after, kVerdictTooNear), shareText);
-  compareRow("Memory", memoryOf(before) / kMiB, memoryOf(after) / kMiB, [](double value) { return printed("%.1f MiB", value); });
-  compareRow("Trace", traceTimeOf(before), traceTimeOf(after), [](double value) { return printed("%.1f ms", value); });
-  compareRow("Refused", double(before.refused), double(after.refused), wholeText);
-  compareRow("Saturated", double(before.saturated), double(after.saturated), wholeText);
-  compareRow("Tests a ray", before.tests, after.tests, meanText);
-  compareRow("Visits a ray", before.visits, after.visits, meanText);
+  changeRow("Wrong rays", wrongShare(before), wrongShare(after), shareText);
+  changeRow("Holes", verdict(before, kVerdictHole), verdict(after, kVerdictHole), shareText);
+  changeRow("Voxel wrong", verdict(before, kVerdictVoxelWrong), verdict(after, kVerdictVoxelWrong), shareText);
+  changeRow("Voxel right", verdict(before, kVerdictVoxelRight), verdict(after, kVerdictVoxelRight), shareText);
+  changeRow("Too far", verdict(before, kVerdictTooFar), verdict(after, kVerdictTooFar), shareText);
+  changeRow("Too near", verdict(before, kVerdictTooNear), verdict(after, kVerdictTooNear), shareText);
+  changeRow("Memory", memoryOf(before) / kMiB, memoryOf(after) / kMiB, [](double value) { return printed("%.1f MiB", value); });
+  changeRow("Trace", traceTimeOf(before), traceTimeOf(after), [](double value) { return printed("%.1f ms", value); });
+  changeRow("Refused", double(before.refused), double(after.refused), wholeText);
+  changeRow("Saturated", double(before.saturated), double(after.saturated), wholeText);
+  changeRow("Tests a ray", before.tests, after.tests, meanText);
+  changeRow("Visits a ray", before.visits, after.visits, meanText);
   ImGui::EndTable();
 }
 
@@ -198,18 +199,32 @@ std::string sentenceOf(const TuneRow& before, const TuneRow& after) {
   return text;
 }
 
+// From the least to the most that a setting took.
+std::pair<SliderRange, SliderRange> measuredRanges(const TunerPanel& tuner) {
+  SliderRange memory{FLT_MAX, 0.0f, true}, time{FLT_MAX, 0.0f, true};
+  for (const TuneRow& row : tuner.state.rows) {
+    if (!row.measured()) continue;
+    const auto mebibytes = float(memoryOf(row) / kMiB), milliseconds = float(traceTimeOf(row));
+    memory.low = std::min(memory.low, mebibytes), memory.high = std::max(memory.high, mebibytes);
+    time.low = std::min(time.low, milliseconds), time.high = std::max(time.high, milliseconds);
+  }
+  for (SliderRange* range : {&memory, &time}) range->low = std::max(0.9f * range->low, 1e-3f), range->high = std::max(1.1f * range->high, 2.0f * range->low);
+  return {memory, time};
+}
+
 void drawLimits(TunerPanel& tuner) {
   TuneLimits limits = tuner.shownLimits();
   float memory = float(limits.bytes / kMiB), time = float(limits.milliseconds);
   ImGui::PushFont(windowFonts().sansSmall);
   const float width = ImGui::GetContentRegionAvail().x, field = std::max(unit(90), width - unit(110));
   bool changed = false;
+  const auto [memoryRange, timeRange] = measuredRanges(tuner);
   textDim("Memory, at most");
   ImGui::SameLine(unit(110)), ImGui::SetNextItemWidth(field);
-  changed |= ImGui::DragFloat("##memory", &memory, std::max(0.1f, 0.01f * memory), 0.1f, 1e6f, "%.0f MiB");
+  changed |= fillSlider("##memory", memory, memoryRange, memory < 10.0f ? "%.1f MiB" : "%.0f MiB");
   textDim("Trace, at most");
   ImGui::SameLine(unit(110)), ImGui::SetNextItemWidth(field);
-  changed |= ImGui::DragFloat("##time", &time, std::max(0.05f, 0.01f * time), 0.01f, 1e6f, "%.1f ms");
+  changed |= fillSlider("##time", time, timeRange, "%.1f ms");
   ImGui::PopFont();
   if (changed) tuner.limits = TuneLimits{double(memory) * kMiB, double(time)};
   if (tuner.limits && smallButton("Usual limits", "usual limits", "Twice the memory and 1.25 times the trace time of the frame's own setting"))
@@ -225,10 +240,39 @@ void drawFlags(WindowModel& model, const TuneRow& row) {
   ImGui::PopFont();
   if (smallButton("Apply", "apply", "Shows the frame with this setting; Ctrl+Z goes back")) applyRow(model, row);
   ImGui::SameLine(0.0f, unit(6));
+  if (smallButton("Compare A/B", "compare", "Keeps the frame as it is now as B and shows it with this setting beside it; Space flips in the A/B layout")) compareRow(model, row);
+  ImGui::SameLine(0.0f, unit(6));
   if (smallButton("Copy flags", "copy", "The options of the command line, to paste")) {
     ImGui::SetClipboardText(flags.c_str());
-    announce(model, LogLine::Kind::note, "Copied: " + flags);
+    model.announce(LogLine::Kind::note, "Copied: " + flags);
   }
+}
+
+// The best of what fits into the memory that the grid takes now.
+void drawNoMoreMemory(WindowModel& model, const TunerPanel& tuner) {
+  const TuneRow& first = tuner.state.rows.front();
+  const std::optional<size_t> best = bestWithin(tuner.state.rows, {memoryOf(first), INFINITY});
+  ImGui::PushFont(windowFonts().sansBold);
+  ImGui::TextUnformatted("At no more memory than now");
+  ImGui::PopFont();
+  ImGui::PushTextWrapPos(0.0f);
+  if (!best || *best == 0) {
+    textDim(printed("No other run has fewer wrong rays within %.1f MiB.", memoryOf(first) / kMiB));
+  } else {
+    const TuneRow& row = tuner.state.rows[*best];
+    textDim(tuneTitle(row) + printed(": %.1f MiB, ", memoryOf(row) / kMiB) + percent(wrongShare(row)) + printed(" wrong, trace %.1f ms.", traceTimeOf(row)));
+    if (smallButton("Show it", "no more memory", "Shows the frame with this setting; Ctrl+Z goes back")) applyRow(model, row);
+  }
+  ImGui::PopTextWrapPos();
+}
+
+// What the figures rest on.
+void drawHowMeasured(const TunerPanel& tuner) {
+  const TuneRow& first = tuner.state.rows.front();
+  ImGui::PushTextWrapPos(0.0f);
+  textDim("Every run traces the same " + grouped(first.rays) + " rays (" + grouped(tuner.state.width) + " \u00d7 " + grouped(tuner.state.height) +
+          ", this frame) and compares them with the exact hits. Times are medians on this device.");
+  ImGui::PopTextWrapPos();
 }
 
 }  // namespace
@@ -257,6 +301,10 @@ void drawTunerRecommendation(WindowModel& model, TunerPanel& tuner, const ImVec2
     drawLimits(tuner);
     ImGui::Dummy(ImVec2(0.0f, unit(4)));
     drawComparison(first, row);
+    ImGui::Dummy(ImVec2(0.0f, unit(4)));
+    drawNoMoreMemory(model, tuner);
+    ImGui::Dummy(ImVec2(0.0f, unit(4)));
+    drawHowMeasured(tuner);
   }
   ImGui::EndChild();
 }

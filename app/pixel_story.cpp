@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 
+#include "app/story_writer.h"
 #include "app/text.h"
 #include "core/truth_cause.h"
 #include "core/truth_reason.h"
@@ -16,41 +17,6 @@ namespace {
 // The slots of a cell are told by mesh, the most first; more meshes than these are summed up.
 constexpr size_t kMostMeshesTold = 5;
 
-// Puts parts together.
-class StoryWriter {
- public:
-  explicit StoryWriter(const StoryInput& input) : input_(input) {}
-
-  StoryWriter& text(std::string words) { return add({.text = std::move(words)}); }
-  StoryWriter& number(std::string words) { return add({.kind = StoryPart::Kind::number, .text = std::move(words)}); }
-  StoryWriter& cell(ivec3 cell) {
-    return add({.kind = StoryPart::Kind::cell, .text = printed("cell (%d, %d, %d)", cell.x, cell.y, cell.z), .cell = cell});
-  }
-  StoryWriter& step(int segment, ivec3 cell) {
-    return add({.kind = StoryPart::Kind::step, .text = printed("step %d", segment), .cell = cell, .segment = segment});
-  }
-  StoryWriter& mesh(uint32_t reference) {
-    return add({.kind = StoryPart::Kind::mesh, .text = meshText(scene(), input_.names, reference), .reference = reference});
-  }
-  StoryWriter& triangle(uint32_t reference) {
-    const std::string name =
-        isTriangleOf(scene(), reference) ? printed("triangle %u", nameTriangle(scene(), reference).triangle) : printed("0x%08X", reference);
-    add({.kind = StoryPart::Kind::triangle, .text = name, .reference = reference});
-    return isTriangleOf(scene(), reference) ? text(" of ").mesh(reference) : text(", which is no triangle of the scene");
-  }
-  StoryWriter& end() { return text("\n"); }
-  std::vector<StoryPart> take() { return std::move(parts_); }
-
- private:
-  const NumberedScene& scene() const { return input_.truth.trace.scene; }
-  StoryWriter& add(StoryPart part) {
-    parts_.push_back(std::move(part));
-    return *this;
-  }
-
-  const StoryInput& input_;
-  std::vector<StoryPart> parts_;
-};
 
 std::string edgesText(float edges) { return printed("%.3g cell edges", double(edges)); }
 

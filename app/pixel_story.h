@@ -15,7 +15,7 @@ namespace gridscope {
 
 // A piece of a sentence. `text` is what a person reads, with the spaces around it; the rest is what a link leads to.
 struct StoryPart {
-  enum class Kind { text, mesh, triangle, cell, step, number };
+  enum class Kind { text, mesh, triangle, cell, step, number, refused };  // refused: the word, in its colour
   Kind kind = Kind::text;
   std::string text;                    // "\n" ends a sentence's line
   uint32_t reference = kBlank;         // of a triangle; of any triangle of the mesh, for a mesh

@@ -251,13 +251,18 @@ std::string sheetCsv(const Sheet& sheet, std::span<const uint32_t> rows) {
   return text;
 }
 
-std::string freeCsvName(const std::string& folder, const std::string& scene, const std::string& sheet) {
-  std::string stem = std::filesystem::path(scene).stem().string();
-  if (stem.empty()) stem = "scene";
-  for (uint32_t number = 1;; ++number) {
-    const std::string name = stem + "_" + sheet + (number > 1 ? "_" + std::to_string(number) : "") + ".csv";
-    if (!std::filesystem::exists(std::filesystem::path(folder) / name)) return name;
+std::string csvText(std::span<const std::vector<std::string>> rows) {
+  std::string text;
+  for (const std::vector<std::string>& row : rows) {
+    for (size_t field = 0; field < row.size(); ++field) text += (field == 0 ? "" : ",") + csvField(row[field]);
+    text += "\r\n";
   }
+  return text;
+}
+
+std::string csvName(const std::string& scene, const std::string& table) {
+  const std::string stem = std::filesystem::path(scene).stem().string();
+  return (stem.empty() ? "scene" : stem) + "_" + table + ".csv";
 }
 
 }  // namespace gridscope

@@ -69,7 +69,10 @@ SheetRows sheetRows(const Sheet& sheet, const SheetOrder& order, std::string_vie
 // The rows as RFC 4180 says: titles first, CRLF, quotes where a comma, quote or line break stands.
 std::string sheetCsv(const Sheet& sheet, std::span<const uint32_t> rows);
 
-// The first of "hall_cells.csv", "hall_cells_2.csv", ... that is not there yet in `folder`; scene: path or name.
-std::string freeCsvName(const std::string& folder, const std::string& scene, const std::string& sheet);
+// Any rows of fields likewise, titles among them.
+std::string csvText(std::span<const std::vector<std::string>> rows);
+
+// "hall_cells.csv"; scene: path or name.
+std::string csvName(const std::string& scene, const std::string& table);
 
 }  // namespace gridscope

@@ -40,6 +40,13 @@ std::string byteText(uint64_t bytes) {
   return printed("%.1f %s", value, kUnits[unit]);
 }
 
+std::string viewLabel(std::string_view name) {
+  std::string label(name);
+  std::ranges::replace(label, '-', ' ');
+  if (!label.empty()) label[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(label[0])));
+  return label;
+}
+
 std::string joined(const std::vector<std::string>& parts, std::string_view separator) {
   std::string text;
   for (const std::string& part : parts) text.append(text.empty() ? "" : separator).append(part);

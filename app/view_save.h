@@ -1,11 +1,14 @@
-// Writing a view of the shown frame as a PNG file, with its legend, as `gridscope render` writes it.
+// A view of the window as a PNG file, with its legend, beside where the program was started.
 #pragma once
+
+#include <string>
 
 #include "app/window_model.h"
 
 namespace gridscope {
 
-// Into the folder where the program was started, SCENE_VIEW.png; returns the file's name. Throws Error.
-std::string saveView(const WindowModel& model, const std::string& view);
+// SCENE_VIEW.png, or the first free name like it, as the view is shown now; painted and written on a thread of model.files, which says what
+// became of it.
+void saveView(WindowModel& model, const std::string& name);
 
 }  // namespace gridscope

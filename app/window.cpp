@@ -16,7 +16,6 @@
 
 #include "app/frame_worker.h"
 #include "app/preferences.h"
-#include "app/view_save.h"
 #include "app/model_flow.h"
 #include "app/window_actions.h"
 #include "app/window_images.h"
@@ -174,6 +173,7 @@ class Window {
     model_.request.timeSeconds = start.time;
     model_.request.slice = start.slice;
     model_.timeStep = start.frameStep;
+    model_.startDevice = start.device;
     readPreferences(model_);
     preferences_.emplace(model_);
     showIn(model_, Workspace::grid);
@@ -213,7 +213,7 @@ class Window {
   }
 
   bool moving() const {
-    return model_.playing || model_.stepsPlaying || model_.flying || model_.work || model_.now < model_.toastUntil || ImGui::IsAnyMouseDown();
+    return model_.playing || model_.stepsPlaying || model_.flying || model_.work || model_.files.running() || model_.report.state().running || model_.now < model_.toastUntil || ImGui::IsAnyMouseDown();
   }
 
   void waitForEvents() {
@@ -224,7 +224,20 @@ class Window {
 
   void takeNews() {
     model_.now = secondsSince(began_);
-    for (LogLine& line : worker_.takeLines()) model_.say(line.kind, std::move(line.text)), settle_ = std::max(settle_, 1);
+    for (LogLine& line : worker_.takeLines()) {
+      if (line.shown) model_.announce(line.kind, std::move(line.text));
+      else model_.say(line.kind, std::move(line.text));
+      settle_ = std::max(settle_, 1);
+    }
+    for (FileJobs::News& news : model_.files.takeNews()) {
+      model_.announce(news.failed ? LogLine::Kind::error : LogLine::Kind::note, std::move(news.text));
+      settle_ = kFramesAfterEvent;
+    }
+    if (std::optional<FileJobs::News> news = model_.report.takeNews()) {
+      model_.announce(news->failed ? LogLine::Kind::error : LogLine::Kind::note, std::move(news->text));
+      model_.reportDialogOpen = false;
+      settle_ = kFramesAfterEvent;
+    }
     const std::string deviceFault = worker_.deviceFault();
     if (!deviceFault.empty()) throw Error(deviceFault, kExitDevice);
     model_.shaderFault = worker_.shaderFault();
@@ -289,13 +302,6 @@ class Window {
     if (!sameRequest(wanted, sent_)) worker_.ask(sent_ = std::move(wanted));
     if (model_.captureWish) worker_.capture(*model_.captureWish);
     model_.captureWish.reset();
-    for (const std::string& view : std::exchange(model_.savedViews, {})) {
-      try {
-        model_.showMessage("Wrote " + saveView(model_, view));
-      } catch (const Error& error) {
-        model_.showMessage(error.what());
-      }
-    }
     const std::string title = windowTitle(model_);
     if (title != title_) glfwSetWindowTitle(native_.handle(), (title_ = title).c_str());
   }

@@ -5,12 +5,17 @@
 #include <GLFW/glfw3.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cstring>
 
 #include "app/camera_moves.h"
 #include "app/comparison.h"
+#include "app/frame_arguments.h"
+#include "app/frame_changes.h"
 #include "app/model_flow.h"
 #include "app/ray_stepping.h"
+#include "app/text.h"
+#include "app/view_save.h"
 #include "app/window_widgets.h"
 #include "core/error.h"
 
@@ -18,7 +23,6 @@ namespace gridscope {
 
 namespace {
 
-std::string needsScene(const WindowModel& m) { return m.frame && m.frame->scene ? "" : "No frame yet"; }
 std::string needsFrame(const WindowModel& m) { return m.frame && m.frame->hits ? "" : "No frame yet"; }
 std::string needsGrid(const WindowModel& m) { return m.frame && m.frame->grid ? "" : "No grid yet"; }
 std::string needsRecord(const WindowModel& m) { return shownStep(m) ? "" : "No ray is recorded: click a pixel"; }
@@ -33,6 +37,28 @@ std::string needsComplete(const WindowModel& m) {
   return m.frame->stale ? "The frame is still being traced" : "";
 }
 
+void flip(bool& overlay) { overlay = !overlay; }
+
+std::string whyNoReport(const WindowModel& m) {
+  if (!m.frame || !m.frame->hits) return "No frame yet";
+  if (!m.request.edits.empty()) return "Instances were edited: a report is of the scene as its file has it. Undo the edits first";
+  if (m.frame->scene->captureFrames > 0 && !sameSettings(*m.request.settings, m.frame->scene->ownSettings))
+    return "A capture's report has the settings that it was captured with: go back to the scene's own settings first";
+  return "";
+}
+
+void openReportDialog(WindowModel& m) {
+  m.reportName = m.frame->scene->name.substr(0, m.frame->scene->name.find('.')) + "_report";
+  m.reportDialogOpen = true;
+}
+
+void copyCommand(WindowModel& m) {
+  std::vector<std::string> words = frameArguments(requestOf(m));
+  words.insert(words.begin(), {"gridscope", "render"});
+  ImGui::SetClipboardText(shellText(words).c_str());
+  m.showMessage("Copied: " + shellText(words));
+}
+
 void openCaptureDialog(WindowModel& m) {
   m.captureName = m.frame->scene->name.substr(0, m.frame->scene->name.find('.'));
   m.captureDialogOpen = true;
@@ -42,7 +68,8 @@ constexpr Action kActions[] = {
     {"File", "Open", "Ctrl+O", "Opens a scene or a capture; dropping a file on the window does the same.", nullptr, [](WindowModel& m) { m.openDialogOpen = true; }},
     {"File", "Reload scene", "Ctrl+R", "Loads the file again.", nullptr, [](WindowModel& m) { ++m.request.source.loadCount; }},
     {"File", "Capture frame", "F12", "Writes everything of this frame into a .gridcap file.", needsComplete, openCaptureDialog},
-    {"File", "Save picture", "Ctrl+S", "Writes the active view as a PNG file.", needsFrame, [](WindowModel& m) { m.savedViews.push_back(m.panes[size_t(m.activePane)].view); }},
+    {"File", "Save picture", "Ctrl+S", "Writes the active view as a PNG file.", needsFrame, [](WindowModel& m) { saveView(m, m.panes[size_t(m.activePane)].view); }},
+    {"File", "Report...", "Ctrl+E", "Makes one page about this frame for a colleague: pictures, verdicts, causes, losses.", whyNoReport, openReportDialog},
     {"File", "Quit", "Ctrl+Q", "Closes the window; splits, theme and bookmarks are kept.", nullptr, [](WindowModel& m) { m.quit = true; }},
 
     {"Edit", "Undo setting", "Ctrl+Z", "Takes back the last change of a setting.", needsUndo, undoSetting},
@@ -51,9 +78,10 @@ constexpr Action kActions[] = {
      [](WindowModel& m) { m.selectingArea = !m.selectingArea && !m.area, m.area.reset(); }},
     {"Edit", "Selection back", "Alt+Left", "What was selected before.", nullptr, [](WindowModel& m) { m.selection.goBack(); }},
     {"Edit", "Selection forward", "Alt+Right", "What was selected after it.", nullptr, [](WindowModel& m) { m.selection.goForward(); }},
+    {"Edit", "Copy command", "Ctrl+Shift+C", "The command line that renders this frame.", needsFrame, copyCommand},
     {"Edit", "Select nothing", "Escape", "Leaves the selection and the area.", nullptr,
      [](WindowModel& m) {
-       if (m.helpOpen || m.openDialogOpen || m.captureDialogOpen) return;   // Escape closes those first
+       if (m.helpOpen || m.openDialogOpen || m.captureDialogOpen || m.reportDialogOpen) return;   // Escape closes those first
        m.area.reset(), m.selectingArea = false, m.selection.clear();
      }},
 
@@ -71,12 +99,17 @@ constexpr Action kActions[] = {
        m.showMessage("This frame is kept as B");
      }},
     {"View", "Flip A/B", "Space", "Shows B instead of A, and back.", needsCompare, [](WindowModel& m) { m.comparison.flip = !m.comparison.flip; }},
+    {"View", "Next view", "PageDown", "The next of all views, in the active pane.", nullptr, [](WindowModel& m) { stepView(m, 1); }},
+    {"View", "Previous view", "PageUp", "The view before, in the active pane.", nullptr, [](WindowModel& m) { stepView(m, -1); }},
     {"View", "Next colour map", "Ctrl+M", "Viridis, cividis, magma, grey.", nullptr, [](WindowModel& m) { m.colourMap = (m.colourMap + 1) % kColourMapCount; }},
 
-    {"Frame", "Play", "Ctrl+Space", "Time goes on, a frame at a time.", needsScene, [](WindowModel& m) { m.playing = !m.playing; }},
-    {"Frame", "Next frame", "Ctrl+Right", "One time step forward.", needsScene, [](WindowModel& m) { stepTime(m, 1); }},
-    {"Frame", "Previous frame", "Ctrl+Left", "One time step back.", needsScene, [](WindowModel& m) { stepTime(m, -1); }},
-    {"Frame", "First frame", "Ctrl+Up", "Back to time 0.", needsScene, [](WindowModel& m) { m.request.frame = 0, m.request.timeSeconds = 0.0; }},
+    {"Frame", "Play", "Ctrl+Space", "Time goes on, a frame at a time.", whyNoTime, [](WindowModel& m) { m.playing = !m.playing; }},
+    {"Frame", "Next frame", "Ctrl+Right", "One time step forward.", whyNoTime, [](WindowModel& m) { stepTime(m, 1); }},
+    {"Frame", "Previous frame", "Ctrl+Left", "One time step back.", whyNoTime, [](WindowModel& m) { stepTime(m, -1); }},
+    {"Frame", "First frame", "Ctrl+Up", "Back to time 0.", whyNoTime, [](WindowModel& m) {
+       if (m.frame->scene->captureFrames > 0) return showCapturedFrame(m, 0);
+       m.request.frame = 0, m.request.timeSeconds = 0.0;
+     }},
 
     {"Ray", "Step forward", "Right", "The next step of the recorded ray.", needsRecord, stepForward},
     {"Ray", "Step back", "Left", "The step before: the exact inverse.", needsRecord, stepBack},
@@ -97,6 +130,15 @@ constexpr Action kActions[] = {
     {"Cells", "Next voxel wrong", "W", "The next voxel hit far from the true surface.", needsFrame, [](WindowModel& m) { jumpTo(m, Jump::nextVoxelWrong); }},
     {"Cells", "Fullest cell", "C", "The saturated cell that wants the most references; again: the next fullest.", needsGrid, goToNextSaturatedCell},
 
+    {"Cells", "Cell boxes", "Alt+B", "Boxes of the cells whose tried references are in the range.", nullptr, [](WindowModel& m) { flip(m.overlays.cellBoxes); }},
+    {"Cells", "Saturated cells", "Alt+S", "Boxes of the cells that refused something.", nullptr, [](WindowModel& m) { flip(m.overlays.saturatedBoxes); }},
+    {"Ray", "Ray segments", "Alt+R", "The selected ray over the picture, coloured by what happened in each segment.", nullptr, [](WindowModel& m) { flip(m.overlays.raySegments); }},
+    {"Ray", "Visited cells", "Alt+V", "Boxes of the cells that the ray visited.", nullptr, [](WindowModel& m) { flip(m.overlays.visitedCells); }},
+    {"Ray", "Tested triangles", "Alt+T", "The triangles that the step tested, over the picture.", nullptr, [](WindowModel& m) { flip(m.overlays.testedTriangles); }},
+    {"Ray", "Lens", "Alt+L", "A closer look at the step's cell, over the picture.", nullptr, [](WindowModel& m) { flip(m.overlays.lens); }},
+    {"View", "Selection marks", "Alt+M", "What is selected, over the picture.", nullptr, [](WindowModel& m) { flip(m.overlays.selection); }},
+    {"View", "Clip box", "Alt+C", "Overlays only where the box of the left panel leaves them.", nullptr, [](WindowModel& m) { flip(m.overlays.clip); }},
+
     {"Tools", "Tell the truth", "Ctrl+T", "Compares every ray with the exact answer: verdicts and causes.", needsFrame,
      [](WindowModel& m) { m.request.truth = !m.request.truth; }},
     {"Tools", "Prove every cause", "Ctrl+P", "Takes each cause away and traces its ray again.", needsFrame,
@@ -108,6 +150,21 @@ constexpr Action kActions[] = {
     {"Window", "Ray", "2", "Workspace: one ray, step by step.", nullptr, [](WindowModel& m) { showIn(m, Workspace::ray); }},
     {"Window", "Verdict", "3", "Workspace: verdicts and their causes.", nullptr, [](WindowModel& m) { showIn(m, Workspace::verdict); }},
     {"Window", "Tune", "4", "Workspace: which settings fit.", nullptr, [](WindowModel& m) { showIn(m, Workspace::tune); }},
+    {"Window", "Ray steps tab", "Alt+1", "Below: the selected ray, step by step.", nullptr, [](WindowModel& m) { m.showTab(BottomTab::steps); }},
+    {"Window", "Cells tab", "Alt+2", "Below: the table of cells.", nullptr, [](WindowModel& m) { m.showTab(BottomTab::cells); }},
+    {"Window", "Instances tab", "Alt+3", "Below: the table of instances.", nullptr, [](WindowModel& m) { m.showTab(BottomTab::instances); }},
+    {"Window", "Triangles tab", "Alt+4", "Below: the table of triangles.", nullptr, [](WindowModel& m) { m.showTab(BottomTab::triangles); }},
+    {"Window", "Rays tab", "Alt+5", "Below: the table of rays.", nullptr, [](WindowModel& m) { m.showTab(BottomTab::rays); }},
+    {"Window", "Causes tab", "Alt+6", "Below: why rays differ, and which meshes cost the most.", nullptr, [](WindowModel& m) { m.showTab(BottomTab::causes); }},
+    {"Window", "Plots tab", "Alt+7", "Below: histograms and stage times.", nullptr, [](WindowModel& m) { m.showTab(BottomTab::plots); }},
+    {"Window", "Tune tab", "Alt+8", "Below: the sweep over settings.", nullptr, [](WindowModel& m) { m.showTab(BottomTab::tune); }},
+    {"Window", "Log tab", "Alt+9", "Below: what happened.", nullptr, [](WindowModel& m) { m.showTab(BottomTab::log); }},
+    {"Window", "Next tab", "Ctrl+Tab", "The tab to the right, below.", nullptr, [](WindowModel& m) { stepTab(m, 1); }},
+    {"Window", "Previous tab", "Ctrl+Shift+Tab", "The tab to the left, below.", nullptr, [](WindowModel& m) { stepTab(m, -1); }},
+    {"Window", "Next row", "Down", "The next row of the table below, and where it leads.", nullptr, [](WindowModel& m) { ++m.rowStep; }},
+    {"Window", "Previous row", "Up", "The row before, and where it leads.", nullptr, [](WindowModel& m) { --m.rowStep; }},
+    {"Window", "Walk the controls", "F6", "Arrows, Space and Enter reach every control of a panel; F6 again: the next panel; Escape leaves.", nullptr,
+     [](WindowModel& m) { m.walkWanted = true; }},
     {"Window", "Light theme", "Ctrl+L", "Dark on light, and back.", nullptr, [](WindowModel& m) { m.theme = m.theme == Theme::dark ? Theme::light : Theme::dark; }},
     {"Window", "Larger", "Ctrl+=", "Larger interface.", nullptr, [](WindowModel& m) { m.uiScale = std::min(m.uiScale + 0.25f, 3.0f); }},
     {"Window", "Smaller", "Ctrl+-", "Smaller interface.", nullptr, [](WindowModel& m) { m.uiScale = std::max(m.uiScale - 0.25f, 0.5f); }},
@@ -125,9 +182,11 @@ KeyPress pressOf(std::string_view text) {
   };
   press.control = take("Ctrl+");
   press.alt = take("Alt+");
+  press.shift = take("Shift+");
   static constexpr std::pair<std::string_view, int> kNames[] = {
-      {"Right", GLFW_KEY_RIGHT}, {"Left", GLFW_KEY_LEFT}, {"Up", GLFW_KEY_UP},         {"Home", GLFW_KEY_HOME}, {"End", GLFW_KEY_END},
-      {"Space", GLFW_KEY_SPACE}, {"Enter", GLFW_KEY_ENTER}, {"Escape", GLFW_KEY_ESCAPE}, {"F5", GLFW_KEY_F5},   {"F12", GLFW_KEY_F12}};
+      {"Right", GLFW_KEY_RIGHT}, {"Left", GLFW_KEY_LEFT}, {"Up", GLFW_KEY_UP},         {"Down", GLFW_KEY_DOWN}, {"PageUp", GLFW_KEY_PAGE_UP},
+      {"PageDown", GLFW_KEY_PAGE_DOWN}, {"Tab", GLFW_KEY_TAB}, {"Home", GLFW_KEY_HOME}, {"End", GLFW_KEY_END},
+      {"Space", GLFW_KEY_SPACE}, {"Enter", GLFW_KEY_ENTER}, {"Escape", GLFW_KEY_ESCAPE}, {"F5", GLFW_KEY_F5}, {"F6", GLFW_KEY_F6},   {"F12", GLFW_KEY_F12}};
   for (const auto& [name, code] : kNames)
     if (text == name) press.key = code;
   if (press.key == 0 && text.size() == 1) press.key = text[0];
@@ -151,10 +210,14 @@ void runKey(WindowModel& model, const KeyPress& pressed) {
   const bool functionKey = pressed.key >= GLFW_KEY_F1 && pressed.key <= GLFW_KEY_F25;
   if (ImGui::GetIO().WantTextInput && !functionKey && !(pressed.control && (pressed.key == 'Q' || pressed.key == 'F'))) return;
   if (model.flying && !pressed.control) return;
+  if (model.walked != 0 && pressed.key == GLFW_KEY_ESCAPE) return void(model.walked = 0);
+  if (model.walked != 0 && !pressed.control && !pressed.alt && !functionKey) return;
   if (pressed.key == GLFW_KEY_F1) return runKey(model, {'?'});
   for (const Action& one : kActions) {
     const KeyPress press = pressOf(one.key);
     if (press.key == 0 || press.key != pressed.key || press.control != pressed.control || press.alt != pressed.alt) continue;
+    // Signs are typed with Shift on some keyboards; elsewhere it tells two actions apart.
+    if (pressed.control && (press.key == GLFW_KEY_TAB || std::isalpha(press.key)) && press.shift != pressed.shift) continue;
     const std::string why = whyNot(model, one);
     if (why.empty()) one.run(model);
     else model.showMessage(std::string(one.name) + ": " + why);

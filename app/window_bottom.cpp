@@ -1,7 +1,14 @@
 // The bottom region: its tabs, and the log.
 #include <imgui_internal.h>
 
+#include <algorithm>
+#include <iterator>
+
+#include "app/panel_table_parts.h"
+#include "app/ray_stepping.h"
+#include "app/table_exports.h"
 #include "app/text.h"
+#include "app/window_actions.h"
 #include "app/window_panels.h"
 #include "app/window_stale.h"
 #include "app/window_widgets.h"
@@ -29,20 +36,41 @@ void drawTabBar(WindowModel& model) {
   const ImVec2 low = ImGui::GetWindowPos();
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.AddRectFilled(low, {low.x + ImGui::GetWindowWidth(), low.y + height}, packed(uiColour(UiColour::head)));
-  float x = low.x + unit(4);
+  // Where they do not all fit they stand closer, and move so that the chosen one is in sight.
+  const float room = ImGui::GetWindowWidth() - unit(8);
+  float wordsWidth = 0.0f, chosenEnd = 0.0f;
+  for (const Tab& tab : kTabs) wordsWidth += ImGui::CalcTextSize(tab.name).x;
+  const float padding = std::clamp((room - wordsWidth) / (2.0f * float(std::size(kTabs))), unit(5), unit(11));
+  for (const Tab& tab : kTabs) {
+    chosenEnd += ImGui::CalcTextSize(tab.name).x + 2.0f * padding;
+    if (tab.tab == model.bottomTab) break;
+  }
+  float x = low.x + unit(4) - std::max(0.0f, chosenEnd - room);
   for (const Tab& tab : kTabs) {
     const bool chosen = tab.tab == model.bottomTab;
     const ImVec2 words = ImGui::CalcTextSize(tab.name);
-    const float width = words.x + unit(22);
+    const float width = words.x + 2.0f * padding;
     ImGui::SetCursorScreenPos({x, low.y});
     if (ImGui::InvisibleButton(tab.name, {width, height})) model.bottomTab = tab.tab;
+    actionTooltip(model, action((std::string(tab.name) + " tab").c_str()));
     if (chosen) {
       list.AddRectFilled({x, low.y}, {x + width, low.y + height}, packed(uiColour(UiColour::panel)));
       list.AddRectFilled({x, low.y}, {x + width, low.y + unit(2)}, packed(uiColour(UiColour::accent)));
     }
     const UiColour colour = chosen || ImGui::IsItemHovered() ? UiColour::text : UiColour::dim;
-    list.AddText({x + unit(11), low.y + 0.5f * (height - words.y)}, packed(uiColour(colour)), tab.name);
+    list.AddText({x + padding, low.y + 0.5f * (height - words.y)}, packed(uiColour(colour)), tab.name);
     x += width;
+  }
+  // Of the steps, whose own line is full; the other tables have their export above them.
+  const RecordedRay* ray = model.bottomTab == BottomTab::steps && shownRecord(model) ? model.frame->record.get() : nullptr;
+  const float exportWidth = smallButtonWidth("Export CSV");
+  if (ray && x + exportWidth + unit(20) < low.x + ImGui::GetWindowWidth()) {
+    ImGui::SetCursorScreenPos({low.x + ImGui::GetWindowWidth() - exportWidth - unit(8), low.y + unit(4)});
+    const bool has = !ray->record.steps.empty();
+    if (smallButton("Export CSV", "csv", "Writes the steps of this ray as a CSV file, in the folder where the program was started", has, "The ray has no steps")) {
+      const uint32_t width = model.frame->request.settings->width;
+      exportCsv(model, printed("steps_%u_%u", ray->pixel % width, ray->pixel / width), stepRows(*model.frame, *ray));
+    }
   }
   ImGui::SetCursorScreenPos({low.x, low.y + height});
 }
@@ -65,6 +93,7 @@ void drawBottomTabs(WindowModel& model) {
     ImGui::EndChild();
     ImGui::PopStyleVar();
   }
+  model.rowStep = 0;
 }
 
 void drawLog(WindowModel& model) {

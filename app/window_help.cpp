@@ -2,9 +2,12 @@
 #include <imgui.h>
 #include <imgui_stdlib.h>
 
-#include <cstring>
 #include <algorithm>
+#include <cfloat>
+#include <cstring>
+#include <filesystem>
 
+#include "app/frame_arguments.h"
 #include "app/model_flow.h"
 #include "app/window_actions.h"
 #include "app/window_panels.h"
@@ -18,8 +21,9 @@ namespace {
 bool beginDialog(const char* title, bool& open, float width) {
   if (!open) return false;
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
-  ImGui::SetNextWindowPos({0.5f * screen.x, 0.42f * screen.y}, ImGuiCond_Appearing, {0.5f, 0.5f});
+  ImGui::SetNextWindowPos({0.5f * screen.x, 0.45f * screen.y}, ImGuiCond_Appearing, {0.5f, 0.45f});
   ImGui::SetNextWindowSize({std::min(unit(width), screen.x - unit(20)), 0});
+  ImGui::SetNextWindowSizeConstraints({0, 0}, {FLT_MAX, screen.y - unit(20)});
   ImGui::PushStyleColor(ImGuiCol_Border, uiColour(UiColour::accent));
   ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1.0f);
   const bool shown = ImGui::Begin(title, &open, ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoResize);
@@ -37,7 +41,7 @@ void drawMenuKeys(const char* menu) {
   for (const Action& one : allActions()) {
     if (std::strcmp(one.menu, menu) != 0 || !*one.key) continue;
     textMono(one.key);
-    ImGui::SameLine(unit(100));
+    ImGui::SameLine(unit(118));
     ImGui::TextUnformatted(one.name);
     whyTooltip(one.about);
   }
@@ -69,11 +73,56 @@ void drawCapture(WindowModel& model) {
   ImGui::SetNextItemWidth(-1);
   entered |= ImGui::InputText("##note", &model.captureNote, ImGuiInputTextFlags_EnterReturnsTrue);
   const bool named = !model.captureName.empty();
-  textDim(named ? "Writes " + model.captureName + ".gridcap in the folder where the program was started" : std::string("Give it a name"));
+  const std::filesystem::path wanted = std::filesystem::absolute(model.captureName + ".gridcap"), file = named ? model.files.wouldClaim(wanted) : wanted;
+  ImGui::PushTextWrapPos(0.0f);
+  if (!named) textDim("Give it a name");
+  else if (file == wanted) textDim("Writes " + file.string());
+  else textDim(wanted.filename().string() + " is there already: writes " + file.string());
+  ImGui::PopTextWrapPos();
   ImGui::BeginDisabled(!named);
   if ((entered && named) || ImGui::Button("Capture", {unit(90), unit(24)})) {
     model.captureDialogOpen = false;
-    model.captureWish = CaptureWish{model.captureName + ".gridcap", model.captureNote};
+    model.captureWish = CaptureWish{std::filesystem::relative(model.files.claim(wanted)).string(), model.captureNote};
+  }
+  ImGui::EndDisabled();
+  ImGui::End();
+}
+
+// The page's name, then how far it is.
+void drawReport(WindowModel& model) {
+  if (!beginDialog("Report on this frame", model.reportDialogOpen, 460)) return;
+  const ReportState state = model.report.state();
+  if (state.running) {
+    textDim("Traces every ray against all triangles and paints the views, beside the window.");
+    ImGui::ProgressBar(state.share, {-1.0f, unit(18)}, state.what.c_str());
+    if (ImGui::Button("Cancel", {unit(90), unit(24)})) model.report.cancel();
+    ImGui::SameLine();
+    if (ImGui::Button("Go on without", {unit(120), unit(24)})) model.reportDialogOpen = false;
+    whyTooltip("The report is made in the background and said when it is there");
+    return ImGui::End();
+  }
+  textDim("Name");
+  ImGui::SetNextItemWidth(-1);
+  if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
+  const bool entered = ImGui::InputText("##name", &model.reportName, ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
+  const bool named = !model.reportName.empty();
+  const std::filesystem::path wanted = std::filesystem::absolute(model.reportName + ".html"), file = named ? model.files.wouldClaim(wanted) : wanted;
+  ImGui::PushTextWrapPos(0.0f);
+  textDim(named ? "Writes " + file.string() : std::string("Give it a name"));
+  ImGui::PopTextWrapPos();
+  ImGui::BeginDisabled(!named);
+  if ((entered && named) || ImGui::Button("Make it", {unit(90), unit(24)})) {
+    model.reportDialogOpen = false;
+    try {
+      Options options = optionsFrom(reportArguments(requestOf(model), model.timeStep));
+      options.device = model.startDevice;
+      options.page = model.files.claim(wanted);
+      options.arguments.insert(options.arguments.begin(), "report");
+      model.report.start(options);
+      model.reportDialogOpen = true;
+    } catch (const std::exception& error) {
+      model.announce(LogLine::Kind::error, error.what());
+    }
   }
   ImGui::EndDisabled();
   ImGui::End();
@@ -82,9 +131,9 @@ void drawCapture(WindowModel& model) {
 }  // namespace
 
 void drawHelp(WindowModel& model) {
-  if (!beginDialog("All keys", model.helpOpen, 820)) return;
-  static constexpr const char* kColumns[3][4] = {{"File", "Edit", "Frame", nullptr}, {"View", "Window", "Help", nullptr}, {"Ray", "Cells", "Tools", nullptr}};
-  ImGui::Columns(3, nullptr, false);
+  if (!beginDialog("All keys", model.helpOpen, 1060)) return;
+  static constexpr const char* kColumns[4][4] = {{"File", "Edit", "Frame", nullptr}, {"View", "Cells", nullptr}, {"Ray", "Tools", "Help", nullptr}, {"Window", nullptr}};
+  ImGui::Columns(4, nullptr, false);
   for (const auto& column : kColumns) {
     for (const char* const* menu = column; *menu; ++menu) drawMenuKeys(*menu);
     ImGui::NextColumn();
@@ -103,6 +152,7 @@ void drawHelp(WindowModel& model) {
 void drawDialogs(WindowModel& model) {
   drawOpen(model);
   drawCapture(model);
+  drawReport(model);
 }
 
 }  // namespace gridscope

@@ -1,7 +1,7 @@
 // See window_layout.h.
 #include "app/window_layout.h"
 
-#include <imgui.h>
+#include <imgui_internal.h>
 
 #include <algorithm>
 
@@ -84,11 +84,44 @@ void drawSplitter(const char* name, const Region& region, bool vertical, float& 
   ImGui::PopStyleVar();
 }
 
+// --- The keyboard's walk ----------------------------------------------------------------------------------------------------------
+
+constexpr const char* kWalkedRegions[] = {"settings", "toolbar", "inspector", "bottom"};
+
+// F6 goes from region to region; ImGui's own navigation does the rest. A click of the mouse ends it.
+void walk(WindowModel& model) {
+  ImGuiIO& io = ImGui::GetIO();
+  if (model.walked != 0 && (ImGui::IsMouseClicked(0) || ImGui::IsMouseClicked(1))) model.walked = 0;
+  if (model.walkWanted) {
+    model.walked = model.walked % int(std::size(kWalkedRegions)) + 1;
+    ImGuiWindow* window = ImGui::FindWindowByName(kWalkedRegions[model.walked - 1]);
+    if (window) ImGui::FocusWindow(window), ImGui::NavInitWindow(window, true);
+    model.showMessage(std::string("Keys walk the controls of the ") + (model.walked == 1 ? "left panel" : model.walked == 2 ? "tool bar" : model.walked == 3 ? "right panel" : "bottom") +
+                      "; F6: on, Escape: back to the picture");
+  }
+  model.walkWanted = false;
+  if (model.walked != 0) io.ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
+  else io.ConfigFlags &= ~ImGuiConfigFlags_NavEnableKeyboard;
+}
+
+// Where the walk stands: controls drawn by hand have no mark of ImGui's.
+void drawWalk(const WindowModel& model) {
+  const ImGuiContext& context = *ImGui::GetCurrentContext();
+  const ImGuiWindow* window = context.NavWindow;
+  if (model.walked == 0 || !window || context.NavId == 0 || window->NavLastIds[context.NavLayer] != context.NavId) return;
+  const ImRect place = ImGui::WindowRectRelToAbs(const_cast<ImGuiWindow*>(window), window->NavRectRel[context.NavLayer]);
+  ImDrawList* list = ImGui::GetForegroundDrawList();
+  list->PushClipRect(window->InnerRect.Min, window->InnerRect.Max);
+  list->AddRect({place.Min.x - unit(1), place.Min.y - unit(1)}, {place.Max.x + unit(1), place.Max.y + unit(1)}, packed(uiColour(UiColour::accent)), unit(3), 0, unit(2));
+  list->PopClipRect();
+}
+
 }  // namespace
 
 void drawLayout(WindowModel& model, float width, float height) {
   Splits& splits = model.splits;
   const Regions regions = regionsOf(splits, width, height);
+  walk(model);
   const ImVec2 none{0, 0}, sides{unit(10), 0};
   const ImGuiWindowFlags still = ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse;
   drawRegion("menu", regions.menu, UiColour::head, none, still | ImGuiWindowFlags_MenuBar, model, drawMenuBar);
@@ -107,6 +140,7 @@ void drawLayout(WindowModel& model, float width, float height) {
   splits.right = std::clamp(splits.right, kLeastSide, 1000.0f);
   splits.bottom = std::clamp(splits.bottom, kLeastBottom, 1200.0f);
 
+  drawWalk(model);
   drawHelp(model);
   drawDialogs(model);
 }

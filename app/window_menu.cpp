@@ -1,7 +1,9 @@
 // The menu bar: menus made from the table of actions, and the lights at its right end.
+#include <algorithm>
 #include <cstring>
 
 #include "app/model_flow.h"
+#include "app/text.h"
 #include "app/window_actions.h"
 #include "app/window_panels.h"
 #include "app/window_widgets.h"
@@ -33,34 +35,82 @@ void drawViews(WindowModel& model) {
   if (!ImGui::BeginMenu("Show")) return;
   for (const View& view : allViews()) {
     const std::string name(view.name);
-    if (ImGui::MenuItem(name.c_str(), nullptr, model.panes[size_t(model.activePane)].view == name)) showView(model, name);
+    if (ImGui::MenuItem(viewLabel(name).c_str(), nullptr, model.panes[size_t(model.activePane)].view == name)) showView(model, name);
     whyTooltip(std::string(view.about).c_str());
   }
   ImGui::EndMenu();
 }
 
-void light(uint32_t colour, const char* words) {
-  const float height = ImGui::GetTextLineHeight();
-  const ImVec2 place = ImGui::GetCursorScreenPos();
-  ImGui::GetWindowDrawList()->AddCircleFilled({place.x + unit(4), place.y + 0.5f * height + ImGui::GetStyle().FramePadding.y}, unit(4),
-                                              packed(meaningColour(colour)));
-  ImGui::Dummy({unit(10), height});
-  ImGui::SameLine(0.0f, unit(4));
-  ImGui::TextUnformatted(words);
-  ImGui::SameLine(0.0f, unit(16));
+// A light and what it says. Where there is no room for words the light alone stays: a circle, or a triangle where something is wrong.
+struct Light {
+  uint32_t colour;
+  bool fault;
+  const char* words;
+  std::string about;                   // when the mouse rests on it
+};
+
+constexpr float kLightWidth = 12, kLightGap = 14;   // pixels at UI scale 1
+
+Light invariantsLight(const WindowModel& model) {
+  if (!model.frame || !model.frame->brokenInvariants) return {kColourEmpty, false, "Invariants not checked yet", "They are checked once the grid is built"};
+  const std::vector<std::string>& broken = *model.frame->brokenInvariants;
+  if (broken.empty()) return {kColourTriangleHit, false, "Invariants hold", "The grid's slots and counts agree with each other and with the scene"};
+  return {kColourHole, true, "An invariant is broken", joined(broken, "\n")};
 }
 
+Light shadersLight(const WindowModel& model) {
+  if (model.shaderFault.empty()) return {kColourTriangleHit, false, "Shaders current", "What runs is what was compiled last"};
+  return {kColourHole, true, "Shader fault, see Log", "The last good shaders go on\n" + model.shaderFault};
+}
+
+float widthOf(const Light& light, bool words) { return unit(kLightWidth + kLightGap) + (words ? ImGui::CalcTextSize(light.words).x : 0.0f); }
+
+void drawLight(const Light& light, bool words) {
+  const float radius = unit(4);
+  const ImVec2 low = ImGui::GetCursorScreenPos(), middle{low.x + radius, low.y + 0.5f * ImGui::GetFrameHeight()};
+  const ImU32 colour = packed(meaningColour(light.colour));
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  if (light.fault)
+    list.AddTriangleFilled({middle.x - 1.3f * radius, middle.y + radius}, {middle.x + 1.3f * radius, middle.y + radius}, {middle.x, middle.y - 1.2f * radius}, colour);
+  else list.AddCircleFilled(middle, radius, colour);
+  if (words) list.AddText({low.x + unit(kLightWidth), low.y + ImGui::GetStyle().FramePadding.y}, packed(uiColour(UiColour::text)), light.words);
+  ImGui::Dummy({widthOf(light, words) - unit(kLightGap), ImGui::GetFrameHeight()});
+  whyTooltip((std::string(light.words) + "\n" + light.about).c_str());
+  ImGui::SameLine(0.0f, unit(kLightGap));
+}
+
+// "F5 reload": the key of an action, which is a button too.
+struct KeyWord {
+  const char* action;
+  const char* word;
+  float width;                         // pixels at UI scale 1
+};
+constexpr KeyWord kKeyWords[] = {{"Reload shaders", "reload", 72}, {"All keys", "keys", 52}};
+
+void drawKeyWord(WindowModel& model, const KeyWord& keyWord) {
+  const Action& one = action(keyWord.action);
+  const ImVec2 low = ImGui::GetCursorScreenPos();
+  const float y = low.y + ImGui::GetStyle().FramePadding.y;
+  if (ImGui::InvisibleButton(one.name, {unit(keyWord.width), ImGui::GetFrameHeight()})) one.run(model);
+  const UiColour ink = ImGui::IsItemHovered() ? UiColour::text : UiColour::dim;
+  actionTooltip(model, one);
+  const float cap = drawKeyCap({low.x, y}, one.key);
+  ImGui::GetWindowDrawList()->AddText({low.x + cap + unit(5), y}, packed(uiColour(ink)), keyWord.word);
+  ImGui::SameLine(0.0f, 0.0f);
+}
+
+// What there is no room for goes: first the keys, then the words. The lights stay.
 void drawLights(WindowModel& model) {
-  const bool tested = model.frame && model.frame->brokenInvariants;
-  const bool holds = tested && model.frame->brokenInvariants->empty();
-  const char* invariants = !tested ? "Invariants not checked yet" : holds ? "Invariants hold" : "An invariant is broken";
-  const char* shaders = model.shaderFault.empty() ? "Shaders current" : "Shader fault, see Log";
-  const float width = ImGui::CalcTextSize(invariants).x + ImGui::CalcTextSize(shaders).x + unit(80);
-  if (ImGui::GetCursorPosX() + width > ImGui::GetWindowWidth()) return;
-  ImGui::SetCursorPosX(ImGui::GetWindowWidth() - width);
-  light(!tested ? kColourEmpty : holds ? kColourTriangleHit : kColourHole, invariants);
-  if (tested && !holds) whyTooltip(model.frame->brokenInvariants->front().c_str());
-  light(model.shaderFault.empty() ? kColourTriangleHit : kColourHole, shaders);
+  const Light lights[] = {invariantsLight(model), shadersLight(model)};
+  const float free = ImGui::GetWindowWidth() - ImGui::GetCursorPosX() - unit(8);
+  const float words = widthOf(lights[0], true) + widthOf(lights[1], true), dots = widthOf(lights[0], false) + widthOf(lights[1], false);
+  const float keys = unit(kKeyWords[0].width + kKeyWords[1].width);
+  const bool withWords = words <= free, withKeys = words + keys <= free;
+  const float width = withKeys ? words + keys : withWords ? words : dots;
+  ImGui::SetCursorPosX(ImGui::GetWindowWidth() - std::min(width, free) - unit(8));
+  for (const Light& light : lights) drawLight(light, withWords);
+  if (withKeys)
+    for (const KeyWord& keyWord : kKeyWords) drawKeyWord(model, keyWord);
 }
 
 }  // namespace

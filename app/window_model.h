@@ -12,7 +12,9 @@
 #include <string>
 #include <vector>
 
+#include "app/file_jobs.h"
 #include "app/frame_snapshot.h"
+#include "app/report_job.h"
 #include "app/selection.h"
 #include "app/stage_history.h"
 #include "views/picture.h"
@@ -21,6 +23,7 @@ namespace gridscope {
 
 enum class Workspace { grid, ray, verdict, tune };
 enum class BottomTab { steps, cells, instances, triangles, rays, causes, plots, tune, log };
+inline constexpr size_t kBottomTabCount = size_t(BottomTab::log) + 1;
 enum class ViewportLayout { one, four, compare };   // compare: A beside B, by wipe or flip
 enum class Theme { dark, light };
 
@@ -69,6 +72,7 @@ struct LogLine {
   enum class Kind { note, warning, error } kind = Kind::note;
   double seconds = 0.0;                // since the start
   std::string text;
+  bool shown = false;                  // for a moment over the viewport too: it answers what a person asked for
 };
 
 // Rectangle of pixels that filters the tables; end behind the last.
@@ -132,7 +136,9 @@ struct WindowModel {
   std::optional<LongWork> work;
   bool cancelWork = false;                       // set by a Cancel button
   std::optional<CaptureWish> captureWish;        // handed to the worker once
-  std::vector<std::string> savedViews;           // names of views to write as PNG, NAME.png beside where the program was started
+  FileJobs files;                                // on their way to the disk
+  ReportJob report;
+  std::string startDevice;                       // that --device named
   Jump pendingJump = Jump::none;
   bool truthDeclined = false;                    // cancelled: views that show it do not ask for it by themselves
   std::string shaderFault;                       // the compiler's text of the last F5; empty: shaders are current
@@ -158,6 +164,9 @@ struct WindowModel {
   Workspace workspace = Workspace::grid;
   BottomTab bottomTab = BottomTab::steps;
   bool bottomTabWanted = false;                  // set with bottomTab by what is not the tab bar itself
+  int walked = 0;                                // region whose controls the keyboard walks through (window_layout.cpp); 0: keys run actions
+  bool walkWanted = false;                       // F6: on to the next region
+  int rowStep = 0;                               // Up and Down: rows that the shown table is to go on by, once
   ViewportLayout layout = ViewportLayout::one;
   std::array<Pane, 4> panes{Pane{"final"}, Pane{"verdict"}, Pane{"cause"}, Pane{"visits"}};
   int activePane = 0;
@@ -171,6 +180,7 @@ struct WindowModel {
   Overlays overlays;
   CameraState camera;
   std::vector<Bookmark> bookmarks;               // of the scene that is shown
+  std::string bookmarksOf;                       // under which key of savedBookmarks they are kept
   std::map<std::string, std::vector<Bookmark>> savedBookmarks;  // of all scenes, by path or name: preferences
   Theme theme = Theme::dark;
   float uiScale = 1.0f;
@@ -180,6 +190,8 @@ struct WindowModel {
   std::vector<std::string> recentFiles;          // last used first
   std::string captureName, captureNote;          // of the next capture
   bool captureDialogOpen = false;
+  bool reportDialogOpen = false;
+  std::string reportName;
   bool openDialogOpen = false;
   std::string openPath;                          // typed in the Open dialog
   bool quit = false;
@@ -196,7 +208,8 @@ struct WindowModel {
   void changeSettings(const std::function<void(FrameSettings&)>& change);  // remembers the old for undo
   void rememberForUndo(const FrameSettings& settings);
   void showTab(BottomTab tab) { bottomTab = tab, bottomTabWanted = true; }
-  void showMessage(std::string text);            // for a moment over the viewport, and into the log
+  void announce(LogLine::Kind kind, std::string text);  // into the log, and for a moment over the viewport
+  void showMessage(std::string text) { announce(LogLine::Kind::note, std::move(text)); }
   double now = 0.0;                              // seconds since the start
   bool logToStandardError = false;               // every line of the log, not errors alone
 };

@@ -9,7 +9,8 @@ namespace gridscope {
 
 void drawMenuBar(WindowModel& model);
 void drawToolbar(WindowModel& model);
-void drawSettingsPanel(WindowModel& model);      // left: Scene, Grid, Trace, Overlays, Camera, Bookmarks
+void drawSettingsPanel(WindowModel& model);      // left: Scene, Grid, Trace, and the next
+void drawViewSettings(WindowModel& model);       // Overlays, Camera, Bookmarks
 void drawViewport(WindowModel& model);           // centre: view bar, panes, overlays
 void drawInspector(WindowModel& model);          // right: Inspector, Pixel, Bookmarks
 void drawBottomTabs(WindowModel& model);         // the tab bar and the tab

@@ -3,7 +3,10 @@
 #include <imgui_stdlib.h>
 
 #include <algorithm>
+#include <cfloat>
 #include <cmath>
+#include <numeric>
+#include <vector>
 
 #include "app/model_flow.h"
 #include "app/search.h"
@@ -53,7 +56,6 @@ bool glyphButton(const char* id, Glyph glyph, bool enabled) {
     case Glyph::pause: bar(middle.x - unit(3)), bar(middle.x + unit(3)); break;
     case Glyph::forward: bar(middle.x - a - unit(1)), triangle(middle.x + unit(1), 1.0f); break;
   }
-  ImGui::SameLine(0.0f, unit(3));
   return clicked && enabled;
 }
 
@@ -65,13 +67,23 @@ void drawScrub(WindowModel& model) {
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(unit(6), 0.5f * (unit(24) - windowFonts().mono->FontSize)));
   if (facts && facts->captureFrames > 0) {
     int frame = int(model.request.frame);
-    if (ImGui::SliderInt("##scrub", &frame, 0, int(facts->captureFrames) - 1, "%d", ImGuiSliderFlags_AlwaysClamp)) model.request.frame = uint32_t(frame);
+    ImGui::BeginDisabled(facts->captureFrames == 1);
+    if (ImGui::SliderInt("##scrub", &frame, 0, std::max(int(facts->captureFrames) - 1, 1), printed("%%d / %u", facts->captureFrames).c_str(), ImGuiSliderFlags_AlwaysClamp))
+      showCapturedFrame(model, uint32_t(frame));
+    ImGui::EndDisabled();
+    whyTooltip(facts->captureFrames == 1 ? "The capture holds one frame alone" : "Frame of the captured sequence");
   } else {
     float seconds = float(model.request.timeSeconds);
     const float most = facts && facts->duration > 0.0 ? float(facts->duration) : 10.0f;
     if (ImGui::SliderFloat("##scrub", &seconds, 0.0f, std::max(most, seconds), printed("%u: %%.3f s", model.request.frame).c_str())) setTime(model, double(seconds));
+    whyTooltip("Frame, and its time in the animations");
   }
   ImGui::SameLine();
+  if (facts && facts->captureFrames > 0) {   // a sequence's times are its own
+    ImGui::PopStyleVar();
+    ImGui::PopFont();
+    return;
+  }
   float stepMs = float(1000.0 * model.timeStep);
   ImGui::SetNextItemWidth(unit(76));
   if (ImGui::DragFloat("##step", &stepMs, 0.1f, 0.01f, 10000.0f, "%.2f ms", ImGuiSliderFlags_AlwaysClamp)) model.timeStep = double(stepMs) / 1000.0;
@@ -81,9 +93,12 @@ void drawScrub(WindowModel& model) {
 }
 
 void drawTime(WindowModel& model) {
-  const bool enabled = model.frame && model.frame->scene;
+  const bool enabled = whyNoTime(model).empty();
   const auto button = [&](const char* name, Glyph glyph) {
-    if (glyphButton((std::string("##") + name).c_str(), glyph, enabled)) action(name).run(model);
+    const Action& one = action(name);
+    if (glyphButton((std::string("##") + name).c_str(), glyph, enabled)) one.run(model);
+    actionTooltip(model, one);
+    ImGui::SameLine(0.0f, unit(3));
   };
   const ImVec2 place = ImGui::GetCursorPos();
   ImGui::SetCursorPosY(place.y + unit(3));
@@ -129,11 +144,44 @@ void divider() {
   ImGui::SameLine(0.0f, unit(10));
 }
 
-void statusPair(const char* words, const std::string& number) {
-  textDim(words);
+// A figure of the status line. In a narrow window those of the highest rank go first.
+struct StatusFigure {
+  const char* words;
+  std::string number;
+  int rank = 0;
+  bool saturated = false;              // a hatched square before it
+  bool ofGrid = false;                 // dim while the grid is made again
+};
+
+float widthOf(const StatusFigure& figure) {
+  ImFont* mono = windowFonts().mono;
+  return ImGui::CalcTextSize(figure.words).x + unit(5 + 12) + mono->CalcTextSizeA(mono->FontSize, FLT_MAX, 0.0f, figure.number.c_str()).x + (figure.saturated ? unit(16) : 0.0f);
+}
+
+void drawFigure(const StatusFigure& figure, bool gridIsStale) {
+  const StaleDim dim(figure.ofGrid && gridIsStale);
+  if (figure.saturated) swatch(kColourSaturated, true);
+  textDim(figure.words);
   ImGui::SameLine(0.0f, unit(5));
-  textMono(number);
+  textMono(figure.number);
   ImGui::SameLine(0.0f, unit(12));
+}
+
+std::vector<StatusFigure> statusFigures(const WindowModel& model) {
+  const FrameSnapshot& frame = *model.frame;
+  const GridStatistics& totals = frame.totals.statistics;
+  const auto time = [](double ms) { return printed(ms < 10.0 ? "%.1f ms" : "%.0f ms", ms); };
+  return {{"ui", printed("%.1f ms", model.interfaceMs), 3},
+          {"build", time(frame.times.build), 2},
+          {"update", time(frame.times.clear + frame.times.add), 2},
+          {"gather", time(frame.times.gather), 5},
+          {"bounce", time(frame.times.bounce), 5},
+          {"trace", time(frame.times.trace), 1},
+          {"views", time(frame.times.views), 5},
+          {"stored", grouped(frame.totals.stored()), 3, false, true},
+          {"refused", grouped(frame.totals.refused()) + " (" + percentOf(frame.totals.refused(), std::max<uint64_t>(frame.tried, 1)) + ")", 0, false, true},
+          {"saturated", grouped(totals.saturated), 0, true, true},
+          {"of", grouped(totals.occupied) + " cells", 4, false, true}};
 }
 
 }  // namespace
@@ -145,7 +193,7 @@ void drawToolbar(WindowModel& model) {
   drawTime(model);
   divider();
   // What does not fit is in the menus.
-  for (const char* name : {"Next hole", "Next voxel wrong", "Fullest cell", "Capture frame"}) {
+  for (const char* name : {"Next hole", "Next voxel wrong", "Fullest cell", "Capture frame", "Report..."}) {
     if (ImGui::GetCursorScreenPos().x + unit(160) > right - unit(170)) break;
     actionButton(model, name);
     ImGui::SameLine(0.0f, unit(6));
@@ -161,42 +209,26 @@ void drawStatusLine(WindowModel& model) {
     return;
   }
   const FrameSnapshot& frame = *model.frame;
+  std::string right;
+  if (frame.request.settings) {
+    right = printed("%u x %u", frame.request.settings->width, frame.request.settings->height);
+    if (frame.stale || frame.traced < 1.0f) right += printed("  traced %.0f %%", 100.0 * double(frame.traced));
+  }
+  ImFont* mono = windowFonts().mono;
+  const float rightWidth = mono->CalcTextSizeA(mono->FontSize, FLT_MAX, 0.0f, right.c_str()).x + unit(10);
+
+  std::vector<StatusFigure> figures = statusFigures(model);
+  const float free = ImGui::GetWindowWidth() - rightWidth - unit(24 + 14) - ImGui::CalcTextSize(frame.device.c_str()).x;
+  const auto sum = [&] { return std::accumulate(figures.begin(), figures.end(), 0.0f, [](float width, const StatusFigure& figure) { return width + widthOf(figure); }); };
+  for (int rank = 5; rank > 0 && sum() > free; --rank) std::erase_if(figures, [rank](const StatusFigure& figure) { return figure.rank == rank; });
+
   swatch(kColourTriangleHit);
   textDim(frame.device);
+  whyTooltip("The device that runs build, update and trace; --device chooses another when the program starts");
   ImGui::SameLine(0.0f, unit(14));
-  statusPair("ui", printed("%.1f ms", model.interfaceMs));
-  // Narrow windows leave out the stages that a grid's settings do not change.
-  const bool roomy = ImGui::GetWindowWidth() > unit(1450);
-  struct StageTime {
-    const char* name;
-    double ms;
-    bool always;
-  };
-  const StageTime times[] = {{"build", frame.times.build, true},    {"update", frame.times.clear + frame.times.add, true},
-                             {"gather", frame.times.gather, false}, {"bounce", frame.times.bounce, false},
-                             {"trace", frame.times.trace, true},    {"views", frame.times.views, false}};
-  for (const StageTime& time : times)
-    if (roomy || time.always) statusPair(time.name, printed(time.ms < 10.0 ? "%.1f ms" : "%.0f ms", time.ms));
-  const GridStatistics& totals = frame.totals.statistics;
-  {
-    const StaleDim dim(staleValues(model).grid);
-    statusPair("stored", grouped(frame.totals.stored()));
-    statusPair("refused", grouped(frame.totals.refused()) + " (" + percentOf(frame.totals.refused(), std::max<uint64_t>(frame.tried, 1)) + ")");
-    swatch(kColourSaturated, true);
-    statusPair("saturated", grouped(totals.saturated) + (roomy ? " of " + grouped(totals.occupied) + " cells" : ""));
-  }
-  if (frame.request.settings) {
-    const std::string size = printed("%u x %u", frame.request.settings->width, frame.request.settings->height);
-    const std::string progress = frame.stale || frame.traced < 1.0f ? printed("  traced %.0f %%", 100.0 * double(frame.traced)) : "";
-    const std::string text = size + progress;
-    ImFont* mono = windowFonts().mono;
-    const float width = mono->CalcTextSizeA(mono->FontSize, FLT_MAX, 0.0f, text.c_str()).x;
-    const float x = ImGui::GetWindowWidth() - width - unit(10);
-    if (x > ImGui::GetCursorPosX()) {
-      ImGui::SetCursorPosX(x);
-      textMono(text);
-    }
-  }
+  for (const StatusFigure& figure : figures) drawFigure(figure, staleValues(model).grid);
+  const float x = ImGui::GetWindowWidth() - rightWidth;
+  if (x > ImGui::GetCursorPosX()) ImGui::SetCursorPosX(x), textMono(right);
   ImGui::PopFont();
 }
 

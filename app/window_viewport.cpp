@@ -43,12 +43,12 @@ bool layoutButton(const char* id, ViewportLayout layout, bool chosen) {
 
 void chooseView(const char* id, std::string& chosen, float width) {
   const View* view = findView(chosen);
-  const std::string shown = view ? std::string(view->name) : chosen;
+  const std::string shown = viewLabel(view ? view->name : std::string_view(chosen));
   ImGui::SetNextItemWidth(width);
   if (!ImGui::BeginCombo(id, shown.c_str(), ImGuiComboFlags_HeightLargest)) return;
   for (const View& one : allViews()) {
     const std::string name(one.name);
-    if (ImGui::Selectable(name.c_str(), name == chosen)) chosen = name;
+    if (ImGui::Selectable(viewLabel(name).c_str(), name == chosen)) chosen = name;
     whyTooltip(std::string(one.about).c_str());
   }
   ImGui::EndCombo();

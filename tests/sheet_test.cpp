@@ -105,14 +105,14 @@ TEST(Sheet, AColumnThatNobodyWorkedOutShowsDashesAndDoesNotSort) {
   EXPECT_EQ(found(sheet, "refused>0"), (Rows{}));
 }
 
-TEST(Sheet, ACsvFileNeverTakesTheNameOfAnother) {
-  const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "gridscope_csv_names";
-  std::filesystem::remove_all(folder);
-  std::filesystem::create_directories(folder);
-  EXPECT_EQ(freeCsvName(folder.string(), "scenes/sponza.glb", "cells"), "sponza_cells.csv");
-  std::ofstream(folder / "sponza_cells.csv") << "x";
-  EXPECT_EQ(freeCsvName(folder.string(), "sponza.glb", "cells"), "sponza_cells_2.csv");
-  std::filesystem::remove_all(folder);
+TEST(Sheet, RowsOfFieldsBecomeCsvWithQuotesWhereAPlaceHasCommas) {
+  const std::vector<std::vector<std::string>> rows{{"cell", "rays"}, {"1,2,3", "4"}};
+  EXPECT_EQ(csvText(rows), "cell,rays\r\n\"1,2,3\",4\r\n");
+}
+
+TEST(Sheet, ACsvFileIsNamedByItsSceneAndTable) {
+  EXPECT_EQ(csvName("scenes/sponza.glb", "cells"), "sponza_cells.csv");
+  EXPECT_EQ(csvName("hall", "rays"), "hall_rays.csv");
 }
 
 }  // namespace
