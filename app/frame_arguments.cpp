@@ -2,6 +2,7 @@
 #include "app/frame_arguments.h"
 
 #include <algorithm>
+#include <charconv>
 
 #include <CLI/CLI.hpp>
 
@@ -13,13 +14,19 @@ namespace gridscope {
 
 namespace {
 
+// The shortest text that reads back as the same number.
+std::string numberText(float number) {
+  char digits[32];
+  return std::string(digits, std::to_chars(digits, digits + sizeof(digits), number).ptr);
+}
+
 // Collects options.
 class Arguments {
  public:
   explicit Arguments(std::vector<std::string> first) : words_(std::move(first)) {}
 
   void say(const char* name, std::string value) { words_.push_back(name), words_.push_back(std::move(value)); }
-  void say(const char* name, float value) { say(name, printed("%.9g", double(value))); }
+  void say(const char* name, float value) { say(name, numberText(value)); }
   void say(const char* name, uint32_t value) { say(name, std::to_string(value)); }
   template <typename Value>
   void differing(const char* name, const Value& value, const Value& usual) {
@@ -37,7 +44,7 @@ class Arguments {
 
 std::string numbers(std::initializer_list<float> list) {
   std::vector<std::string> words;
-  for (const float number : list) words.push_back(printed("%.9g", double(number)));
+  for (const float number : list) words.push_back(numberText(number));
   return joined(words, ",");
 }
 

@@ -89,9 +89,9 @@ struct BriefTeller {
     }
   }
 
-  // " 0.19 cells before the surface"; nothing where there is none.
-  void tellDistance() {
-    if (surface()) story.text(", ").number(cellsText(std::abs(told.error))).text(told.error < 0.0f ? " before the surface" : " behind the surface");
+  // "0.19 cells before the surface"; nothing where there is none.
+  void tellDistance(const char* between) {
+    if (surface()) story.text(between).number(cellsText(std::abs(told.error))).text(told.error < 0.0f ? " before the surface" : " behind the surface");
     story.text(".");
   }
 
@@ -99,11 +99,11 @@ struct BriefTeller {
     if (input.traced.kind == kHitVoxel && !record.steps.empty()) {
       const StepRecord& last = record.steps.back();
       story.stepTitle(last.segment, last.cell).text(surface() ? " filled the gap" : " filled a gap where nothing is");
-      return tellDistance();
+      return tellDistance(" ");
     }
     if (input.traced.kind == kHitTriangle) {
       story.text("The ray hit "), named(input.traced.reference);
-      return tellDistance();
+      return tellDistance(", ");
     }
     story.text(input.traced.kind == kHitLimit ? "The limit of segments ended the ray." : "The ray met nothing and left the grid.");
   }

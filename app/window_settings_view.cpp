@@ -85,7 +85,8 @@ void drawCamera(WindowModel& model) {
   changed |= ImGui::DragFloat3("##target", &wanted.target.x, speed, 0, 0, "%.2f");
   if (changed && wanted.eye != wanted.target && glm::length(wanted.eye) < 1e6f && glm::length(wanted.target) < 1e6f) camera.pose = wanted;
   rowLabel("Field of view");
-  ImGui::SliderFloat("##fov", &camera.pose.verticalFovDegrees, 5.0f, 150.0f, "%.1f deg", ImGuiSliderFlags_AlwaysClamp);
+  fillSlider("##fov", camera.pose.verticalFovDegrees, {5.0f, 150.0f}, "%.1f deg");
+  camera.pose.verticalFovDegrees = std::clamp(camera.pose.verticalFovDegrees, 1.0f, 170.0f);
   rowLabel("Speed", "Of flying: hold the right mouse button and W A S D Q E");
   ImGui::DragFloat("##speed", &camera.speed, 0.01f * camera.speed, 1e-4f, 1e5f, "%.2f /s", ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_Logarithmic);
   ImGui::PopFont();

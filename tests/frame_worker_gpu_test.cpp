@@ -10,6 +10,7 @@
 
 #include "app/frame_worker.h"
 #include "core/error.h"
+#include "core/npy.h"
 
 namespace gridscope {
 namespace {
@@ -114,6 +115,26 @@ TEST(FrameWorker, AnotherCapacityBuildsAgainWithTheSameRays) {
   EXPECT_LT(after->totals.refused(), before->totals.refused());
   EXPECT_TRUE(after->rays == before->rays);
   EXPECT_GT(after->traceNumber, before->traceNumber);
+}
+
+TEST(FrameWorker, RaysOfOnesOwnTakeThePlaceOfTheBouncesAndSetTheFramesSize) {
+  Running running;
+  const auto before = running.begin();
+  const std::filesystem::path file = std::filesystem::temp_directory_path() / "gridscope_worker_rays.npy";
+  const std::vector<float> rays{0, 0, 0, 1, 0, 0, /**/ 0, 0, 0, 0, 1, 0, /**/ 0, 0, 0, 0, 0, 1, /**/ 1, 1, 1, 0, 0, -1, /**/ 1, 1, 1, 0, -1, 0, /**/ 1, 1, 1, -1, 0, 0};
+  const std::vector<std::byte> bytes = formatNpy<float>(std::vector<uint64_t>{2, 3, 6}, rays);
+  std::ofstream(file, std::ios::binary).write(reinterpret_cast<const char*>(bytes.data()), std::streamsize(bytes.size()));
+  running.request.source.rays = file.string();
+  running.request.settings->grid.capacity = 7;
+  const auto after = running.ask();
+  std::filesystem::remove(file);
+  ASSERT_TRUE(after->hits) << after->fault;
+  EXPECT_EQ(after->request.settings->width, 3u);
+  EXPECT_EQ(after->request.settings->height, 2u);
+  EXPECT_EQ(after->request.settings->grid.capacity, 7u);
+  ASSERT_EQ(after->rays->size(), 6u);
+  EXPECT_EQ((*after->rays)[1].direction, vec3(0, 1, 0));
+  EXPECT_NE(after->rays->size(), before->rays->size());
 }
 
 TEST(FrameWorker, AnotherCameraKeepsTheGrid) {
