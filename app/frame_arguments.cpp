@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 
 #include <CLI/CLI.hpp>
 
@@ -98,6 +99,17 @@ std::vector<std::string> frameArguments(const FrameRequest& request) {
   arguments.differing("--seed", settings.bounce.seed, usual.bounce.seed);
   arguments.differing("--roughness", settings.bounce.roughness, usual.bounce.roughness);
   return arguments.take();
+}
+
+std::vector<std::string> reportArguments(const FrameRequest& request, double timeStep) {
+  FrameRequest first = request;
+  first.timeSeconds -= double(request.frame) * timeStep;
+  if (std::abs(first.timeSeconds) < 1e-9) first.timeSeconds = 0.0;
+  std::vector<std::string> arguments = frameArguments(first);
+  if (request.frame == 0) return arguments;
+  arguments.insert(arguments.end(), {"--frame", std::to_string(request.frame)});
+  if (!isCapturePath(request.source.scene)) arguments.insert(arguments.end(), {"--frame-step", printed("%.17g", timeStep)});
+  return arguments;
 }
 
 Options optionsFrom(const std::vector<std::string>& arguments) {

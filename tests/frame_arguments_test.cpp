@@ -45,5 +45,13 @@ TEST(FrameArguments, ASceneIsSaidWithItsTeapotsAndTimeAndACaptureAlone) {
   EXPECT_EQ(frameArguments({.source = {.scene = "a.gridcap"}, .settings = FrameSettings{}}), std::vector<std::string>{"a.gridcap"});
 }
 
+TEST(FrameArguments, AReportIsOfTheFrameThatIsShown) {
+  const FrameRequest request{.source = {.scene = "hall"}, .settings = FrameSettings{}, .frame = 46, .timeSeconds = 46 * 0.02};
+  const Options options = optionsFrom(reportArguments(request, 0.02));
+  EXPECT_EQ(options.frame, 46u);
+  EXPECT_NEAR(options.time + double(options.frame) * options.frameStep, request.timeSeconds, 1e-9);
+  EXPECT_EQ(reportArguments({.source = {.scene = "a.gridcap"}, .settings = FrameSettings{}, .frame = 3}, 0.02), (std::vector<std::string>{"a.gridcap", "--frame", "3"}));
+}
+
 }  // namespace
 }  // namespace gridscope
