@@ -237,7 +237,7 @@ class Tour:
 
     def run(self):
         for stop in (self.first_frame, self.choose_view, self.click_pixel, self.step_forward_and_back, self.run_to_saturated, self.select_cell,
-                     self.look_at_tables, self.change_capacity, self.resize, self.play, self.verdicts, self.light_theme, self.capture, self.quit):
+                     self.look_at_tables, self.walk_by_keys, self.save_pictures, self.change_capacity, self.resize, self.play, self.verdicts, self.light_theme, self.capture, self.quit):
             began = time.monotonic()
             stop()
             print(f"      {stop.__name__}: {time.monotonic() - began:.1f} s", flush=True)
@@ -342,6 +342,33 @@ class Tour:
             time.sleep(1.0)
             self.window.shot("tab_" + name)
 
+    def walk_by_keys(self):
+        self.window.keys("alt+5")
+        time.sleep(1.5)
+        pixels = []
+        for _ in range(2):
+            since = self.log.place()
+            self.window.keys("Down")
+            pixels.append(self.log.wait(RECORDED, since, STAGE_SECONDS, "the next row's ray").groups()[:2])
+        since = self.log.place()
+        self.window.keys("Up")
+        back = self.log.wait(RECORDED, since, STAGE_SECONDS, "the row before's ray").groups()[:2]
+        self.window.shot("rows_by_keys")
+        check(pixels[0] != pixels[1] and back == pixels[0], "Down goes through the rows of the Rays tab, Up goes back")
+        since = self.log.place()
+        self.window.keys("Next")
+        view = self.log.wait(r"View (.*)", since, SHORT_SECONDS, "the next view").group(1)
+        self.window.keys("Prior")
+        check(bool(view), f"PageDown shows {view}")
+
+    def save_pictures(self):
+        files = []
+        for _ in range(2):
+            since = self.log.place()
+            self.window.keys("ctrl+s")
+            files.append(self.log.wait(r"Wrote (.*\.png)", since, STAGE_SECONDS, "the picture").group(1))
+        check(files[0] != files[1] and all((self.window.folder / file).exists() for file in files), f"{files[0]} stays when {files[1]} is written")
+
     def change_capacity(self):
         before = self.log.last(GRID)
         since = self.log.place()
@@ -431,7 +458,7 @@ class Tour:
         "view list": (375, 83),
         "view entry": (345, 269),
         "picture": (600, 220),
-        "capacity": (205, 270),
+        "capacity": (205, 318),
         "tab cells": (418, 461),
         "tab instances": (486, 461),
         "tab triangles": (567, 461),
