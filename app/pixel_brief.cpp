@@ -6,6 +6,7 @@
 
 #include "app/story_writer.h"
 #include "core/truth_cause.h"
+#include "core/truth_reason.h"
 
 namespace gridscope {
 
@@ -74,7 +75,8 @@ struct BriefTeller {
   }
 
   void tellOther() {
-    story.text(std::string(causeName(told.cause).about)).text(" ");
+    const TruthReason reason = reasonOf(input.truth, input.ray, told);
+    story.text(std::string(reason.about.empty() ? causeName(told.cause).about : reason.about)).text(" ");
     if (inGrid()) story.text("It took place in ").cell(told.cell).text(". ");
   }
 
