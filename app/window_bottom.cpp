@@ -36,8 +36,11 @@ void drawTabBar(WindowModel& model) {
   const ImVec2 low = ImGui::GetWindowPos();
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.AddRectFilled(low, {low.x + ImGui::GetWindowWidth(), low.y + height}, packed(uiColour(UiColour::head)));
+  // Of the steps, whose own line is full; the other tables have their export above them.
+  const RecordedRay* ray = model.bottomTab == BottomTab::steps ? shownRecord(model) : nullptr;
+  const float exportWidth = smallButtonWidth("Export CSV");
   // Where they do not all fit they stand closer, and move so that the chosen one is in sight.
-  const float room = ImGui::GetWindowWidth() - unit(8);
+  const float room = ImGui::GetWindowWidth() - unit(8) - (ray ? exportWidth + unit(8) : 0.0f);
   float wordsWidth = 0.0f, chosenEnd = 0.0f;
   for (const Tab& tab : kTabs) wordsWidth += ImGui::CalcTextSize(tab.name).x;
   const float padding = std::clamp((room - wordsWidth) / (2.0f * float(std::size(kTabs))), unit(5), unit(11));
@@ -61,10 +64,7 @@ void drawTabBar(WindowModel& model) {
     list.AddText({x + padding, low.y + 0.5f * (height - words.y)}, packed(uiColour(colour)), tab.name);
     x += width;
   }
-  // Of the steps, whose own line is full; the other tables have their export above them.
-  const RecordedRay* ray = model.bottomTab == BottomTab::steps && shownRecord(model) ? model.frame->record.get() : nullptr;
-  const float exportWidth = smallButtonWidth("Export CSV");
-  if (ray && x + exportWidth + unit(20) < low.x + ImGui::GetWindowWidth()) {
+  if (ray && x + exportWidth + unit(8) < low.x + ImGui::GetWindowWidth()) {
     ImGui::SetCursorScreenPos({low.x + ImGui::GetWindowWidth() - exportWidth - unit(8), low.y + unit(4)});
     const bool has = !ray->record.steps.empty();
     if (smallButton("Export CSV", "csv", "Writes the steps of this ray as a CSV file, in the folder where the program was started", has, "The ray has no steps")) {
