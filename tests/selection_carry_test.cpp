@@ -56,16 +56,12 @@ TEST(SelectionCarry, AnAreaKeepsItsPlaceAndAtLeastAPixel) {
   EXPECT_EQ(area->end, ivec2(11, 6));
 }
 
-// A model that shows the small frame.
-WindowModel modelOf(const FrameSnapshot& frame) {
-  WindowModel model;
-  takeFrame(model, std::make_shared<const FrameSnapshot>(frame));
-  return model;
-}
+void show(WindowModel& model, const FrameSnapshot& frame) { takeFrame(model, std::make_shared<const FrameSnapshot>(frame)); }
 
 TEST(ModelFlow, TheSelectionGoesAlongWithTheSize) {
   const SmallFrame small;
-  WindowModel model = modelOf(small.frame);
+  WindowModel model;
+  show(model, small.frame);
   model.selection.selectPixel(5);                     // (1, 1) of 4 x 2
   FrameSnapshot larger = small.frame;
   larger.request.settings->width = 8, larger.request.settings->height = 4;
@@ -75,7 +71,8 @@ TEST(ModelFlow, TheSelectionGoesAlongWithTheSize) {
 
 TEST(ModelFlow, AReferenceBeyondTheSceneIsNeverRead) {
   const SmallFrame small;
-  WindowModel model = modelOf(small.frame);
+  WindowModel model;
+  show(model, small.frame);
   model.selection.selectTriangle(makeReference(0, 60000));
   EXPECT_TRUE(selectedBounds(model).empty());
   model.selection.selectTriangle(makeReference(9, 0));
@@ -86,7 +83,8 @@ TEST(ModelFlow, AReferenceBeyondTheSceneIsNeverRead) {
 
 TEST(ModelFlow, WhileAnotherSceneLoadsThereIsNothingToUndo) {
   const SmallFrame small;
-  WindowModel model = modelOf(small.frame);
+  WindowModel model;
+  show(model, small.frame);
   model.changeSettings([](FrameSettings& settings) { settings.grid.capacity = 5; });
   openSource(model, "other.glb");
   undoSetting(model);
@@ -98,7 +96,8 @@ TEST(ModelFlow, AFileThatCantBeOpenedLeavesTheTime) {
   FrameSnapshot playing = small.frame;
   playing.request.timeSeconds = 2.5;
   playing.request.frame = 150;
-  WindowModel model = modelOf(playing);
+  WindowModel model;
+  show(model, playing);
   openSource(model, "nowhere.glb");
   playing.fault = "nowhere.glb: can't be read";
   takeFrame(model, std::make_shared<const FrameSnapshot>(playing));
