@@ -36,6 +36,10 @@ void compareRow(WindowModel& model, const TuneRow& row) {
   model.showTab(BottomTab::tune);
 }
 
+std::string cellsText(const TuneRow& row) {
+  return row.grid.cellEdge > 0.0f ? printed("edge %g", double(row.grid.cellEdge)) : std::to_string(row.grid.cells);
+}
+
 double wrongShare(const TuneRow& row) { return row.rays == 0 ? 0.0 : 100.0 * double(row.wrong()) / double(row.rays); }
 
 ImVec4 capacityColour(const TunerPanel& tuner, uint32_t capacity) {

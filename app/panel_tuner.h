@@ -50,6 +50,8 @@ ImVec4 capacityColour(const TunerPanel& tuner, uint32_t capacity);
 // The row that the frame shown was made with; nothing: the sweep did not try it.
 std::optional<size_t> rowOfFrame(const WindowModel& model, const TunerPanel& tuner);
 
+std::string cellsText(const TuneRow& row);   // "128" along the longest side, or "edge 0.25"
+
 double wrongShare(const TuneRow& row);   // percent of the rays
 
 }  // namespace gridscope

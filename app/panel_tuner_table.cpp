@@ -38,7 +38,7 @@ struct TunerColumn {
 };
 
 const TunerColumn kColumns[] = {
-    {"cells", "Along the longest side", true, 0.7f, 0, [](const TuneRow& row) { return std::to_string(row.grid.cells); }},
+    {"cells", "Along the longest side", true, 0.7f, 0, [](const TuneRow& row) { return cellsText(row); }},
     {"capacity", "Slots of a cell", true, 0.8f, 0, [](const TuneRow& row) { return std::to_string(row.grid.capacity); }},
     {"overlap", "Which cells take a triangle", false, 0.8f, 0, [](const TuneRow& row) { return std::string(row.grid.overlap == kOverlapExact ? "exact" : "plane"); }},
     {"order", "Numbering of the references", false, 0.6f, 1, [](const TuneRow& row) { return std::string(row.grid.numberBy == NumberBy::area ? "area" : "file"); }},
@@ -289,7 +289,7 @@ void drawTunerRecommendation(WindowModel& model, TunerPanel& tuner, const ImVec2
   } else {
     const TuneRow& row = tuner.state.rows[*best];
     ImGui::PushFont(windowFonts().sansLarge);
-    ImGui::TextWrapped("%u cells, capacity %u", row.grid.cells, row.grid.capacity);
+    ImGui::TextWrapped("%s%s, capacity %u", cellsText(row).c_str(), row.grid.cellEdge > 0.0f ? "" : " cells", row.grid.capacity);
     ImGui::PopFont();
     ImGui::PushTextWrapPos(0.0f);
     textDim(tuneTitle(row));
