@@ -6,6 +6,7 @@
 #include <new>
 
 #include "app/frame_work.h"
+#include "app/report.h"
 #include "app/scene_edits.h"
 #include "app/text.h"
 #include "core/frame_capture.h"
@@ -216,6 +217,11 @@ bool FrameMaker::capturedRaysHold() const {
          now.width == own.width && now.height == own.height;
 }
 
+bool FrameMaker::capturedHitsHold() const {
+  return capturedRaysHold() && !capturedFrame().hits.empty() && sameGrid(made_.settings->grid, loaded_->settings.grid) &&
+         sameTrace(made_.settings->trace, loaded_->settings.trace);
+}
+
 bool FrameMaker::buildAndUpdate() {
   const bool foreign = current_.scene->foreign, built = dirty_.build;
   if (built && !foreign) {
@@ -297,6 +303,8 @@ bool FrameMaker::traceTiles() {
     fillViews(false);
     published = Clock::now();
   }
+  if (capturedHitsHold())
+    if (const uint64_t different = useCapturedHits(*pipeline_, capturedFrame().hits)) listener_.say(LogLine::Kind::warning, foreignHitsText(different));
   dirty_.trace = false;
   fillViews(true);
   return true;

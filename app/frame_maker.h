@@ -87,6 +87,7 @@ class FrameMaker {
   FrameSettings pipelineSettings() const;
   bool capturedGridHolds() const;
   bool capturedRaysHold() const;
+  bool capturedHitsHold() const;
   const CaptureFrame& capturedFrame() const;
   void countTime(const FrameRequest& request);
 

@@ -2,7 +2,6 @@
 #include "app/session.h"
 
 #include <algorithm>
-#include <cstring>
 
 #include "app/capture_files.h"
 #include "app/text.h"
@@ -126,12 +125,7 @@ void Session::makeRays(uint32_t frame) {
 
 std::optional<uint64_t> Session::useCapturedHits(uint32_t frame) {
   if (!hasCapturedHits(frame)) return std::nullopt;
-  const std::vector<Hit>& captured = capturedFrame(frame).hits;
-  const std::vector<Hit> traced = pipeline_.hits();
-  uint64_t different = 0;
-  for (size_t i = 0; i < traced.size(); ++i) different += std::memcmp(&traced[i], &captured[i], sizeof(Hit)) != 0 ? 1 : 0;
-  pipeline_.useHits(captured);
-  return different;
+  return gridscope::useCapturedHits(pipeline_, capturedFrame(frame).hits);
 }
 
 }  // namespace gridscope

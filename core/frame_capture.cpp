@@ -2,6 +2,7 @@
 #include "core/frame_capture.h"
 
 #include <algorithm>
+#include <cstring>
 
 #include "core/exact.h"
 
@@ -62,6 +63,15 @@ PipelineInputs pipelineInputs(const Capture& capture, size_t frame) {
   // Diffuse maps are not in the capture: surfaces show their base colour.
   for (TraceMaterial& material : inputs.numbered.materials) material.layer = kNoLayer;
   return inputs;
+}
+
+uint64_t useCapturedHits(Pipeline& pipeline, const std::vector<Hit>& captured) {
+  const std::vector<Hit> traced = pipeline.hits();
+  CHECK_EQ(traced.size(), captured.size());
+  uint64_t different = 0;
+  for (size_t i = 0; i < traced.size(); ++i) different += std::memcmp(&traced[i], &captured[i], sizeof(Hit)) != 0 ? 1 : 0;
+  pipeline.useHits(captured);
+  return different;
 }
 
 std::vector<Instance> frameInstances(const Capture& capture, size_t frame) {

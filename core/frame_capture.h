@@ -23,6 +23,10 @@ std::vector<ExactHit> traceExactHits(const TraceInput& input, std::span<const Ra
 // A captured frame for the pipeline that runs without a scene.
 PipelineInputs pipelineInputs(const Capture& capture, size_t frame);
 
+// After a trace: captured hits take the place of the pipeline's, for they are what is looked into. Returns how many of them are not what the trace ended
+// with (another engine's, say).
+uint64_t useCapturedHits(Pipeline& pipeline, const std::vector<Hit>& captured);
+
 // All instances with the frame's transforms, as an update takes them.
 std::vector<Instance> frameInstances(const Capture& capture, size_t frame);
 

@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "app/frame_worker.h"
+#include "core/capture.h"
 #include "core/error.h"
 #include "core/npy.h"
 
@@ -214,6 +215,29 @@ TEST(FrameWorker, ACaptureOfTheFrameShowsTheSameHits) {
   EXPECT_EQ(captured->scene->note, "as the window writes it");
   EXPECT_TRUE(sameBytes(*captured->hits, *before->hits));
   EXPECT_TRUE(sameBytes(captured->grid->texels, before->grid->texels));
+  std::filesystem::remove(file);
+}
+
+TEST(FrameWorker, ACapturesHitsAreShownUntilASettingOfTheTraceChanges) {
+  const std::string file = (std::filesystem::temp_directory_path() / "frame_worker_hits_test.gridcap").string();
+  Running running;
+  const auto before = running.begin();
+  running.worker.capture({.file = file, .note = ""});
+  settle(running.worker);
+  Capture capture = readCapture(file);
+  for (size_t i = 0; i < capture.frames[0].hits.size(); i += 2) capture.frames[0].hits[i] = {kHitMiss, 0.0f, kBlank, 0.0f, 0.0f};
+  writeCapture(file, capture);
+  running.request = {};
+  running.request.source.scene = file;
+  running.request.views = {"hit-kind"};
+  running.request.recordPixel = 96 * 20 + 40;
+  const auto shown = running.begin();
+  EXPECT_TRUE(sameBytes(*shown->hits, capture.frames[0].hits)) << shown->fault;
+  ASSERT_EQ((*before->hits)[96 * 20 + 40].kind, kHitTriangle);
+  ASSERT_TRUE(shown->record);
+  EXPECT_FALSE(shown->record->equalsFrame) << "the trace hits a triangle, the capture says nothing";
+  running.request.settings->trace.gate += 0.5f;
+  EXPECT_EQ((*running.ask()->hits)[96 * 20 + 40].kind, kHitTriangle);
   std::filesystem::remove(file);
 }
 

@@ -65,7 +65,7 @@ TEST_F(ViewsTest, RayViewsShowCountersAndHits) {
     ASSERT_EQ(valueOf(visits[i]), float(counters[i].visits));
     ASSERT_EQ(valueOf(tests[i]), float(counters[i].tests));
     bool met = hits[i].kind == kHitTriangle || hits[i].kind == kHitVoxel;
-    if (met) ASSERT_EQ(valueOf(distance[i]), hits[i].t);
+    if (met) { ASSERT_EQ(valueOf(distance[i]), hits[i].t); }
     uint32_t colour = hits[i].kind == kHitTriangle ? kColourTriangleHit : hits[i].kind == kHitVoxel ? kColourVoxelHit : kColourMiss;
     ASSERT_EQ(kind[i].payload, packBytes(unpackColour(colour)));
   }
