@@ -49,7 +49,7 @@ std::shared_ptr<const RecordedRay> shownRay(const WindowModel& model) {
   const std::optional<uint32_t> pixel = model.selected().pixel;
   if (pixel && model.frame->record && model.frame->record->pixel == *pixel) return model.frame->record;
   // While the frame's stages run again the last record keeps its place.
-  return pixel && model.held && model.held->ray->pixel == *pixel && model.frame->stale ? model.held->ray : nullptr;
+  return pixel && model.held && model.held->ray->pixel == *pixel ? model.held->ray : nullptr;
 }
 
 void returnToRay(WindowModel& model) {

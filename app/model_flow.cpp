@@ -13,6 +13,7 @@
 #include "app/projection.h"
 #include "app/ray_stepping.h"
 #include "app/selection_carry.h"
+#include "app/stale_values.h"
 #include "views/view.h"
 
 namespace gridscope {
@@ -167,6 +168,7 @@ static void focusOnWanted(WindowModel& model) {
 void advanceModel(WindowModel& model) {
   focusOnWanted(model);
   holdRay(model);
+  noteStale(model);
   if (!model.bookmarksOf.empty()) model.savedBookmarks[model.bookmarksOf] = model.bookmarks;
   static double nextStepDue = 0.0;
   advancePlay(model, nextStepDue);

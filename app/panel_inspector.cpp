@@ -56,9 +56,8 @@ void drawSelected(WindowModel& model) {
   const FrameSnapshot* frame = model.frame.get();
   if (!frame || !frame->scene) return emptyState("No frame yet.");
   const Selection selected = model.selected();
-  const StaleValues stale = staleValues(model);
   const bool ofGrid = selected.last == Selected::cell || selected.last == Selected::triangle || selected.last == Selected::instance;
-  const StaleDim dim(ofGrid ? stale.grid : stale.steps);
+  const StaleDim dim(ofGrid ? model.stale.grid : model.stale.steps);
   switch (selected.last) {
     case Selected::cell:
       if (frame->grid && selected.cell && gridContains(frame->grid->parameters, *selected.cell)) return drawCellInspector(model, *selected.cell);

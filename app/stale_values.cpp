@@ -18,4 +18,12 @@ StaleValues staleValues(const WindowModel& model) {
   return {.grid = changes.update || (frame.stale && !frame.demand), .rays = rays, .steps = rays && !rayIsHeld(model)};
 }
 
+void noteStale(WindowModel& model) {
+  constexpr double kMoment = 0.2;      // seconds: quick stages do not make the panels flicker
+  const StaleValues now = staleValues(model);
+  const bool any = now.grid || now.rays || now.steps;
+  if (!any || model.playing) model.freshAt = model.now;
+  model.stale = any && model.now - model.freshAt >= kMoment ? now : StaleValues{};
+}
+
 }  // namespace gridscope

@@ -5,12 +5,10 @@
 
 namespace gridscope {
 
-struct StaleValues {
-  bool grid = false;                   // cells, references, totals
-  bool rays = false;                   // hits, verdicts
-  bool steps = false;                  // of the selected ray; one that is held is never stale
-};
-
+// As the model and the frame stand.
 StaleValues staleValues(const WindowModel& model);
+
+// Once a display frame: into WindowModel::stale, what has been stale for a moment already. While time plays every value is the shown frame's.
+void noteStale(WindowModel& model);
 
 }  // namespace gridscope

@@ -86,7 +86,7 @@ void drawBottomTabs(WindowModel& model) {
     if (ImGui::BeginChild(tab.name, {0, 0}, false, ImGuiWindowFlags_AlwaysUseWindowPadding)) {
       if (tab.tab == BottomTab::tune && model.workspace == Workspace::tune) emptyState("The tuner fills the viewport in this workspace.");
       else {
-        const StaleDim dim(tab.stale && staleValues(model).*tab.stale);
+        const StaleDim dim(tab.stale && model.stale.*tab.stale);
         tab.draw(model);
       }
     }

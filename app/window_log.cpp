@@ -3,6 +3,7 @@
 
 #include <cstring>
 
+#include "app/held_ray.h"
 #include "app/model_flow.h"
 #include "app/text.h"
 
@@ -72,13 +73,24 @@ void logRay(WindowModel& model, LoggedState& logged) {
                         record->equalsFrame ? "equals the frame's hit" : "differs from the frame's hit"));
   }
   if (!record) logged.recordedPixel.reset();
-  if (!record || record->pixel != model.selected().pixel || model.selected().step >= record->record.steps.size()) return;
-  if (logged.stepPixel == record->pixel && logged.step == model.selected().step) return;
-  logged.stepPixel = record->pixel;
+}
+
+void logStep(WindowModel& model, LoggedState& logged) {
+  const std::shared_ptr<const RecordedRay> ray = rayIsHeld(model) ? shownRay(model) : model.frame->record;
+  if (!ray || ray->pixel != model.selected().pixel || model.selected().step >= ray->record.steps.size()) return;
+  if (logged.stepPixel == ray->pixel && logged.step == model.selected().step) return;
+  logged.stepPixel = ray->pixel;
   logged.step = model.selected().step;
-  const StepRecord& step = record->record.steps[logged.step];
-  note(model, printed("Step %u of %zu: cell %d,%d,%d, %s, %zu tests", logged.step, record->record.steps.size() - 1, step.cell.x, step.cell.y, step.cell.z,
+  const StepRecord& step = ray->record.steps[logged.step];
+  note(model, printed("Step %u of %zu: cell %d,%d,%d, %s, %zu tests", logged.step, ray->record.steps.size() - 1, step.cell.x, step.cell.y, step.cell.z,
                       outcomeWord(step), step.tests.size()));
+}
+
+void logHeld(WindowModel& model, LoggedState& logged) {
+  const bool held = rayIsHeld(model);
+  if (held == logged.held) return;
+  logged.held = held;
+  if (held) note(model, "The ray is held while the camera moves");
 }
 
 void logSelection(WindowModel& model, LoggedState& logged) {
@@ -109,6 +121,8 @@ void logChanges(WindowModel& model, LoggedState& logged) {
   logScene(model, logged);
   logFrame(model, logged);
   logRay(model, logged);
+  logHeld(model, logged);
+  logStep(model, logged);
   logSelection(model, logged);
 }
 

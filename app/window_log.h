@@ -17,6 +17,7 @@ struct LoggedState {
   GridTotals totals;
   std::optional<uint32_t> stepPixel;
   uint32_t step = ~0u;
+  bool held = false;
   std::string views;
   std::optional<ivec3> cell;
   std::string shaderFault;

@@ -105,6 +105,13 @@ struct HeldRay {
   TraceParameters trace{};                            // and by which rules
 };
 
+// Values on show that are of a request before, because their stages run again.
+struct StaleValues {
+  bool grid = false;                   // cells, references, totals
+  bool rays = false;                   // hits, verdicts
+  bool steps = false;                  // of the selected ray; one that is held is never stale
+};
+
 // Long work that the worker is doing.
 struct LongWork {
   enum class Kind { source, grid, truth, shaders } kind = Kind::source;
@@ -142,6 +149,8 @@ struct WindowModel {
   Jump pendingJump = Jump::none;
   bool truthDeclined = false;                    // cancelled: views that show it do not ask for it by themselves
   std::string shaderFault;                       // the compiler's text of the last F5; empty: shaders are current
+  StaleValues stale;                             // noted once a display frame (stale_values.h)
+  double freshAt = 0.0;                          // when nothing was stale last, seconds since the start
   StageHistory stageHistory;                     // noted with every new snapshot
   std::vector<FrameSettings> undo;               // settings before each change, last at the end
 

@@ -3,7 +3,7 @@
 
 #include <imgui.h>
 
-#include "app/stale_values.h"
+#include "app/window_model.h"
 
 namespace gridscope {
 

@@ -226,7 +226,7 @@ void drawStatusLine(WindowModel& model) {
   textDim(frame.device);
   whyTooltip("The device that runs build, update and trace; --device chooses another when the program starts");
   ImGui::SameLine(0.0f, unit(14));
-  for (const StatusFigure& figure : figures) drawFigure(figure, staleValues(model).grid);
+  for (const StatusFigure& figure : figures) drawFigure(figure, model.stale.grid);
   const float x = ImGui::GetWindowWidth() - rightWidth;
   if (x > ImGui::GetCursorPosX()) ImGui::SetCursorPosX(x), textMono(right);
   ImGui::PopFont();

@@ -175,6 +175,15 @@ TEST(StaleValues, AreThoseWhoseStagesRunAgain) {
   m.show();
   EXPECT_TRUE(staleValues(m.model).rays);
   EXPECT_FALSE(staleValues(m.model).grid) << "the trace alone goes on";
+  m.model.now = 5.0, m.model.freshAt = 4.9;
+  noteStale(m.model);
+  EXPECT_FALSE(m.model.stale.rays) << "not for a moment";
+  m.model.now = 5.3;
+  noteStale(m.model);
+  EXPECT_TRUE(m.model.stale.rays);
+  m.model.playing = true;
+  noteStale(m.model);
+  EXPECT_FALSE(m.model.stale.rays);
 }
 
 TEST(InstanceEdits, OneInstanceHasOneEntry) {

@@ -185,6 +185,14 @@ class Window:
         self.tool("mouseup", str(button))
         time.sleep(0.3)
 
+    def drag(self, from_x, from_y, to_x, to_y, button):
+        self.move(from_x, from_y)
+        self.tool("mousedown", str(button))
+        for part in range(1, 7):
+            self.move(from_x + (to_x - from_x) * part // 6, from_y + (to_y - from_y) * part // 6)
+        self.tool("mouseup", str(button))
+        time.sleep(0.3)
+
     def resize(self, width, height):
         self.tool("windowsize", self.id, str(width), str(height))
         time.sleep(0.8)
@@ -236,8 +244,9 @@ class Tour:
         self.log = window.log
 
     def run(self):
-        for stop in (self.first_frame, self.choose_view, self.click_pixel, self.step_forward_and_back, self.run_to_saturated, self.select_cell,
-                     self.look_at_tables, self.walk_by_keys, self.save_pictures, self.change_capacity, self.resize, self.play, self.verdicts, self.light_theme, self.capture, self.quit):
+        for stop in (self.first_frame, self.choose_view, self.click_pixel, self.step_forward_and_back, self.run_to_saturated, self.orbit_around_the_ray,
+                     self.select_cell, self.pick_cell, self.look_at_tables, self.walk_by_keys, self.save_pictures, self.change_capacity, self.compare,
+                     self.resize, self.play, self.verdicts, self.light_theme, self.capture, self.quit):
             began = time.monotonic()
             stop()
             print(f"      {stop.__name__}: {time.monotonic() - began:.1f} s", flush=True)
@@ -328,6 +337,44 @@ class Tour:
             raise Failed("no saturated cell on 45 rays")
         self.window.shot("saturated_step")
         check(True, f"S runs to a saturated cell: step {match.group(1)}, {match.group(3)}")
+
+    def orbit_around_the_ray(self):
+        since = self.log.place()
+        x, y = self.place("picture")
+        self.window.drag(x, y, x + 120, y + 30, 2)
+        self.log.wait(r"The ray is held", since, SHORT_SECONDS, "the held ray")
+        self.log.wait(r"Traced frame", since, STAGE_SECONDS, "the frame of the moved camera")
+        since = self.log.place()
+        self.window.keys("Home", "End")
+        match = self.log.wait(STEP, since, SHORT_SECONDS, "a step of the held ray")
+        self.window.shot("orbit")
+        check(bool(match), "the ray is stepped while the camera stands elsewhere")
+        since = self.log.place()
+        self.window.keys("ctrl+Home")
+        self.log.wait(RECORDED, since, STAGE_SECONDS, "the ray of the pixel from the scene's own camera")
+
+    def pick_cell(self):
+        since = self.log.place()
+        self.window.tool("keydown", "alt")
+        self.window.click(*self.place("picture"))
+        self.window.tool("keyup", "alt")
+        match = self.log.wait(r"Selected cell ([\d,]+)", since, SHORT_SECONDS, "the cell under the mouse")
+        self.window.shot("picked_cell")
+        check(bool(match), f"Alt and a click select the cell {match.group(1)}")
+
+    def compare(self):
+        since = self.log.place()
+        self.window.keys("k")
+        self.log.wait(r"This frame is kept", since, SHORT_SECONDS, "the kept frame")
+        before = self.log.last(GRID)
+        since = self.log.place()
+        self.window.keys("ctrl+Right")
+        self.log.wait(r"Traced frame", since, STAGE_SECONDS, "the frame beside the kept one")
+        wiped = self.window.shot("compare").read_bytes()
+        self.window.keys("space")
+        flipped = self.window.shot("flipped").read_bytes()
+        check(bool(before) and wiped != flipped, "Space flips the kept frame and the live one")
+        self.window.keys("ctrl+Left", "ctrl+1")
 
     def select_cell(self):
         since = self.log.place()
