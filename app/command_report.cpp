@@ -5,8 +5,6 @@
 #include "app/page_frame.h"
 #include "app/page_sections.h"
 #include "app/text.h"
-#include "core/error.h"
-#include "core/write_file.h"
 
 namespace gridscope {
 
@@ -22,16 +20,11 @@ int runReport(const Options& options) {
   Session session(options, progress);
   const PageFrame frame = makePageFrame(options, session, progress);
   progress.step("write the page");
-  const std::string html = pageHtml(reportPage(frame));
-  try {
-    writeWholeFile(options.page, std::as_bytes(std::span(html)));
-  } catch (const Error& error) {
-    throw error.within(options.page.string());
-  }
+  const size_t bytes = writePage(options.page, frame);
   progress.clear();
 
   const TruthTotals& totals = frame.explained.frame.totals;
-  std::printf("%s: %s; %s of %s rays are wrong (%s)\n", options.page.string().c_str(), byteText(html.size()).c_str(), grouped(totals.wrong()).c_str(),
+  std::printf("%s: %s; %s of %s rays are wrong (%s)\n", options.page.string().c_str(), byteText(bytes).c_str(), grouped(totals.wrong()).c_str(),
               grouped(totals.rays).c_str(), percentOf(totals.wrong(), totals.rays).c_str());
   return session.validationMessages() > 0 ? kExitDifferent : kExitDone;
 }

@@ -1,6 +1,7 @@
 // See page_sections.h; the tables of what was lost lie in page_losses.cpp, the plots in page_plots.cpp.
 #include "app/page_sections.h"
 
+#include <span>
 #include <utility>
 
 #include "app/capture_pictures.h"
@@ -8,6 +9,8 @@
 #include "app/page_legend.h"
 #include "app/settings_table.h"
 #include "app/text.h"
+#include "core/error.h"
+#include "core/write_file.h"
 #include "shaders/shared/truth_colours.h"
 #include "views/drawing.h"
 
@@ -131,6 +134,16 @@ ReportPage reportPage(const PageFrame& frame) {
                    {"settings", "Settings", settingsHtml(frame)},       {"device", "Device and command", deviceHtml(frame)}};
   page.footer = std::string("Written by gridscope ") + GRIDSCOPE_VERSION + ". This page needs no network.";
   return page;
+}
+
+size_t writePage(const std::filesystem::path& file, const PageFrame& frame) {
+  const std::string html = pageHtml(reportPage(frame));
+  try {
+    writeWholeFile(file, std::as_bytes(std::span(html)));
+  } catch (const Error& error) {
+    throw error.within(file.string());
+  }
+  return html.size();
 }
 
 }  // namespace gridscope

@@ -1,6 +1,8 @@
 // The sections of a report's page, each from what was collected about the frame.
 #pragma once
 
+#include <filesystem>
+
 #include "app/page_frame.h"
 #include "app/report_page.h"
 
@@ -18,5 +20,8 @@ std::string deviceHtml(const PageFrame& frame);      // and the command to make 
 
 // All of it.
 ReportPage reportPage(const PageFrame& frame);
+
+// The frame's page as a file of that name; its bytes. Throws Error that names the file.
+size_t writePage(const std::filesystem::path& file, const PageFrame& frame);
 
 }  // namespace gridscope

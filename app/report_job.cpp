@@ -1,14 +1,10 @@
 // See report_job.h.
 #include "app/report_job.h"
 
-#include <span>
-
 #include "app/low_priority.h"
 #include "app/page_frame.h"
 #include "app/page_sections.h"
 #include "app/text.h"
-#include "core/error.h"
-#include "core/write_file.h"
 
 namespace gridscope {
 
@@ -21,12 +17,7 @@ std::string makeReport(const Options& options, Progress& progress) {
   Session session(options, progress);
   const PageFrame frame = makePageFrame(options, session, progress);
   progress.step("write the page");
-  const std::string html = pageHtml(reportPage(frame));
-  try {
-    writeWholeFile(options.page, std::as_bytes(std::span(html)));
-  } catch (const Error& error) {
-    throw error.within(options.page.string());
-  }
+  writePage(options.page, frame);
   const TruthTotals& totals = frame.explained.frame.totals;
   return "Reported in " + options.page.string() + ": " + grouped(totals.wrong()) + " of " + grouped(totals.rays) + " rays are wrong";
 }

@@ -51,6 +51,17 @@ struct Running {
     worker.ask(request);
     return settle(worker);
   }
+  // Writes the frame into a file and waits for it.
+  void capture(const std::string& file, const std::string& note = "") {
+    worker.capture({.file = file, .note = note});
+    settle(worker);
+  }
+  // Asks for nothing but a view of another source from now on.
+  void open(const std::string& source, const std::string& view) {
+    request = {};
+    request.source.scene = source;
+    request.views = {view};
+  }
   // The first frame, whose settings the request then carries.
   std::shared_ptr<const FrameSnapshot> begin() {
     auto frame = ask();
@@ -205,11 +216,8 @@ TEST(FrameWorker, ACaptureOfTheFrameShowsTheSameHits) {
   const std::string file = (std::filesystem::temp_directory_path() / "frame_worker_test.gridcap").string();
   Running running;
   const auto before = running.begin();
-  running.worker.capture({.file = file, .note = "as the window writes it"});
-  settle(running.worker);
-  running.request = {};
-  running.request.source.scene = file;
-  running.request.views = {"final"};
+  running.capture(file, "as the window writes it");
+  running.open(file, "final");
   const auto captured = running.ask();
   EXPECT_EQ(captured->scene->captureFrames, 1u) << captured->fault;
   EXPECT_EQ(captured->scene->note, "as the window writes it");
@@ -222,14 +230,11 @@ TEST(FrameWorker, ACapturesHitsAreShownUntilASettingOfTheTraceChanges) {
   const std::string file = (std::filesystem::temp_directory_path() / "frame_worker_hits_test.gridcap").string();
   Running running;
   const auto before = running.begin();
-  running.worker.capture({.file = file, .note = ""});
-  settle(running.worker);
+  running.capture(file);
   Capture capture = readCapture(file);
   for (size_t i = 0; i < capture.frames[0].hits.size(); i += 2) capture.frames[0].hits[i] = {kHitMiss, 0.0f, kBlank, 0.0f, 0.0f};
   writeCapture(file, capture);
-  running.request = {};
-  running.request.source.scene = file;
-  running.request.views = {"hit-kind"};
+  running.open(file, "hit-kind");
   running.request.recordPixel = 96 * 20 + 40;
   const auto shown = running.begin();
   EXPECT_TRUE(sameBytes(*shown->hits, capture.frames[0].hits)) << shown->fault;
@@ -258,11 +263,8 @@ TEST(FrameWorker, ACaptureKeepsTheOrderOfItsReferencesAndTakesOtherGrids) {
   const std::string file = (std::filesystem::temp_directory_path() / "frame_worker_order_test.gridcap").string();
   Running running;
   running.begin();
-  running.worker.capture({.file = file, .note = ""});
-  settle(running.worker);
-  running.request = {};
-  running.request.source.scene = file;
-  running.request.views = {"final"};
+  running.capture(file);
+  running.open(file, "final");
   const auto captured = running.begin();
   running.request.settings->grid.numberBy = NumberBy::area;
   const auto refused = running.ask();
