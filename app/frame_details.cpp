@@ -50,6 +50,7 @@ bool FrameMaker::recordRay() {
   }
   if (current_.record && current_.record->pixel == *pixel) return true;
   RecordedRay recorded{.pixel = *pixel, .ray = (*current_.rays)[*pixel], .record = pipeline_->record(*pixel), .frameHit = (*current_.hits)[*pixel]};
+  if (current_.gather && *pixel < current_.gather->size()) recorded.surface = (*current_.gather)[*pixel].reference;
   recorded.equalsFrame = std::memcmp(&recorded.record.hit, &recorded.frameHit, sizeof(Hit)) == 0;
   current_.record = std::make_shared<const RecordedRay>(std::move(recorded));
   publish(false);

@@ -42,6 +42,7 @@ struct SceneFacts {
 struct RecordedRay {
   uint32_t pixel = 0;
   Ray ray{};
+  uint32_t surface = kBlank;           // the reference of the triangle that it was launched from; blank: not known
   RayRecord record;
   Hit frameHit{};                      // the frame's, from the fast trace
   bool equalsFrame = false;            // record.hit is frameHit, bit for bit

@@ -23,7 +23,7 @@ void recordAgain(WindowModel& model) {
   const FrameSnapshot& frame = *model.frame;
   HeldRay& held = *model.held;
   if (!frame.grid || !frame.worldTriangles || (held.grid == frame.grid && sameTraceParameters(held.trace, frame.parameters.trace))) return;
-  RecordedRay ray{.pixel = held.ray->pixel, .ray = held.ray->ray};
+  RecordedRay ray{.pixel = held.ray->pixel, .ray = held.ray->ray, .surface = held.ray->surface};
   ray.record = recordRay(TraceInput{*frame.grid, frame.scene->numbered, *frame.worldTriangles, frame.parameters.trace}, ray.ray);
   ray.frameHit = ray.record.hit;
   ray.equalsFrame = true;

@@ -68,8 +68,8 @@ std::vector<CalloutLine> stepLines(const FrameSnapshot& frame, const RecordedRay
 std::vector<CalloutLine> originLines(const FrameSnapshot& frame, const RecordedRay& ray) {
   const uint32_t width = frame.request.settings->width;
   std::vector<CalloutLine> lines{{printed("Origin, pixel %u, %u", ray.pixel % width, ray.pixel / width), windowFonts().sansBold, IM_COL32(217, 223, 229, 255)}};
-  if (!frame.gather || ray.pixel >= frame.gather->size() || (*frame.gather)[ray.pixel].reference == kBlank) return lines;
-  const TriangleName name = nameTriangle(frame.scene->numbered, (*frame.gather)[ray.pixel].reference);
+  if (ray.surface == kBlank) return lines;
+  const TriangleName name = nameTriangle(frame.scene->numbered, ray.surface);
   lines.push_back({meshName(*frame.scene, name.mesh) + ", triangle " + grouped(name.triangle), windowFonts().sansSmall, IM_COL32(143, 154, 166, 255)});
   return lines;
 }

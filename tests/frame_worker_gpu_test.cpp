@@ -114,6 +114,7 @@ TEST(FrameWorker, RecordedRaysEndAsTheFrameDid) {
     frame = running.ask();
     ASSERT_TRUE(frame && frame->record);
     EXPECT_EQ(frame->record->pixel, pixel);
+    EXPECT_EQ(frame->record->surface, (*frame->gather)[pixel].reference);
     EXPECT_TRUE(frame->record->equalsFrame) << "pixel " << pixel;
   }
 }
