@@ -140,7 +140,8 @@ void drawProgress(const TuneState& state) {
   ImGui::PushStyleColor(ImGuiCol_PlotHistogram, meaningColour(kColourTriangleHit));
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(0, 0));
   ImGui::SetCursorPosY(ImGui::GetCursorPosY() + unit(5));
-  ImGui::ProgressBar(float(state.done) / float(state.total), ImVec2(unit(110), unit(6)), "");
+  const float besideWords = ImGui::GetContentRegionAvail().x - unit(345);
+  ImGui::ProgressBar(float(state.done) / float(state.total), ImVec2(std::clamp(besideWords, unit(24), unit(110)), unit(6)), "");
   ImGui::PopStyleVar();
   ImGui::PopStyleColor();
   ImGui::SameLine(0.0f, unit(8));

@@ -166,9 +166,9 @@ void drawNow(const WindowModel& model, const TunerPanel& tuner, const PlotFrame&
 }  // namespace
 
 void drawTunerPlot(WindowModel& model, TunerPanel& tuner, bool againstTime, const ImVec2& low, const ImVec2& high) {
-  const bool tall = high.y - low.y > unit(260);
+  const bool tall = high.y - low.y > unit(260), wide = high.x - low.x > unit(380);
   const PlotScale scale = amountScale(tuner, againstTime);
-  PlotLook look{.title = "Wrong rays", .note = tall && !againstTime ? "circle: plane, square: exact" : "", .x = scale, .y = wrongScale(tuner), .yUnit = " %", .gridX = true};
+  PlotLook look{.title = "Wrong rays", .note = tall && wide && !againstTime ? "circle: plane, square: exact" : "", .x = scale, .y = wrongScale(tuner), .yUnit = " %", .gridX = true};
   look.xTitle = againstTime ? "trace, ms (" + grouped(tuner.state.width) + " \u00d7 " + grouped(tuner.state.height) + " rays, this device)" : "memory of the grid image, MiB";
   const PlotFrame plot(look, low, high);
   if (!plot.drawn()) return;

@@ -163,7 +163,7 @@ void changeRow(const char* name, double before, double after, std::string (*text
 void drawComparison(const TuneRow& before, const TuneRow& after) {
   TableStyle style;
   if (!ImGui::BeginTable("now and recommended", 4, ImGuiTableFlags_RowBg | ImGuiTableFlags_SizingStretchProp)) return;
-  ImGui::TableSetupColumn("", 0, 1.3f), ImGui::TableSetupColumn("now", 0, 1.1f), ImGui::TableSetupColumn("recommended", 0, 1.2f),
+  ImGui::TableSetupColumn("", 0, 1.2f), ImGui::TableSetupColumn("now", 0, 1.0f), ImGui::TableSetupColumn("recommended", 0, 1.6f),
       ImGui::TableSetupColumn("change", 0, 0.8f);
   ImGui::TableNextRow(ImGuiTableRowFlags_Headers, unit(20));
   int column = 0;
