@@ -159,27 +159,26 @@ TruthScene keyedScene(uint8_t alpha) {
   return scene;
 }
 
-TEST(TruthCause, AlphaWhenAHitThatIsTurnedDownWasLetThrough) {
-  TruthScene scene = keyedScene(0);
-  scene.tracedElsewhere = [&scene](BuiltScene& built) {
+// The hits are those of a trace in which alpha turns down what lies below another threshold.
+void traceWithThreshold(TruthScene& scene, uint32_t threshold) {
+  scene.tracedElsewhere = [&scene, threshold](BuiltScene& built) {
     const std::vector<TraceMaterial> materials = built.numbered.materials;
-    for (TraceMaterial& material : built.numbered.materials) material.alphaThreshold = 0;
+    for (TraceMaterial& material : built.numbered.materials) material.alphaThreshold = threshold;
     const std::vector<Hit> hits = tracedWith(built, scene.rays, scene.trace);
     built.numbered.materials = materials;
     return hits;
   };
+}
+
+TEST(TruthCause, AlphaWhenAHitThatIsTurnedDownWasLetThrough) {
+  TruthScene scene = keyedScene(0);
+  traceWithThreshold(scene, 0);
   expectCause(scene, kCauseAlpha, kVerdictTooNear);
 }
 
 TEST(TruthCause, AlphaWhenAHitThatCountsWasTurnedDown) {
   TruthScene scene = keyedScene(255);
-  scene.tracedElsewhere = [&scene](BuiltScene& built) {
-    const std::vector<TraceMaterial> materials = built.numbered.materials;
-    for (TraceMaterial& material : built.numbered.materials) material.alphaThreshold = 256;
-    const std::vector<Hit> hits = tracedWith(built, scene.rays, scene.trace);
-    built.numbered.materials = materials;
-    return hits;
-  };
+  traceWithThreshold(scene, 256);
   expectCause(scene, kCauseAlpha, kVerdictTooFar);
 }
 
@@ -197,13 +196,7 @@ TEST(TruthCause, SelfHitWhenAnotherTminHidOrMadeAHit) {
 TEST(TruthCause, AlphaOfSeveralLeavesIsConfirmedAsAChain) {
   TruthScene scene = keyedScene(255);
   placeMesh(scene.scene, addMesh(scene.scene, meshOf({panelAt(4.5f)}, 1)));
-  scene.tracedElsewhere = [&scene](BuiltScene& built) {
-    const std::vector<TraceMaterial> materials = built.numbered.materials;
-    for (TraceMaterial& material : built.numbered.materials) material.alphaThreshold = 256;
-    const std::vector<Hit> hits = tracedWith(built, scene.rays, scene.trace);
-    built.numbered.materials = materials;
-    return hits;
-  };
+  traceWithThreshold(scene, 256);
   expectCause(scene, kCauseAlpha, kVerdictTooFar);
   EXPECT_EQ(ToldScene(scene).proofs().mostLinks, 2u);
 }
