@@ -6,7 +6,6 @@
 #include <cstring>
 
 #include "core/error.h"
-#include "core/slots.h"
 
 namespace gridscope {
 namespace {
@@ -111,27 +110,6 @@ Difference compareGridsAsSets(const Grid& a, const Grid& b, const Comparison& ho
         difference.first = cellText(cell) + ": " + text;
       }
   return difference;
-}
-
-CellSlots readCell(const Grid& grid, ivec3 cell) {
-  const SlotReader reader(grid);
-  CellSlots slots;
-  for (int slot = 0; slot < grid.parameters.stride; ++slot) {
-    const uint32_t word = reader.slotLoad(gridTexel(grid.parameters, cell, slot));
-    if (slot >= grid.parameters.capacity) {
-      slots.reserved.push_back(word);
-    } else if (word == kBlank) {
-      slot = grid.parameters.capacity - 1;
-    } else {
-      slots.references.push_back(word);
-    }
-  }
-  return slots;
-}
-
-bool cellSaturated(const GridParameters& grid, const CellSlots& cell) {
-  if (grid.reserved == 0) return cell.references.size() == size_t(grid.capacity);
-  return std::ranges::any_of(cell.reserved, [](uint32_t word) { return word != 0; });
 }
 
 std::string hexText(uint32_t value) {

@@ -44,14 +44,6 @@ Difference compareExactHits(std::span<const ExactHit> a, std::span<const ExactHi
 // saturated cell how many are stored and refused.
 Difference compareGridsAsSets(const Grid& a, const Grid& b, const Comparison& how);
 
-// What a cell holds.
-struct CellSlots {
-  std::vector<uint32_t> references;      // up to the first blank
-  std::vector<uint32_t> reserved;        // its reserved texels
-};
-CellSlots readCell(const Grid& grid, ivec3 cell);
-bool cellSaturated(const GridParameters& grid, const CellSlots& cell);
-
 // In words.
 std::string hexText(uint32_t value);                                 // "0x0001002A"
 std::string cellText(ivec3 cell);                                    // "cell (1, 2, 3)"

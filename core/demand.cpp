@@ -43,19 +43,6 @@ void addWishes(const GridParameters& grid, const Candidate& candidate, int z, st
         wishes.push_back({uint32_t(cell.y) * uint32_t(grid.cellCount.x) + uint32_t(cell.x), candidate.reference});
 }
 
-size_t cellIndex(const GridParameters& grid, ivec3 cell) {
-  return (size_t(cell.z) * size_t(grid.cellCount.y) + size_t(cell.y)) * size_t(grid.cellCount.x) + size_t(cell.x);
-}
-
-// Only a full cell refuses; where the grid counts or flags, it says so.
-bool hasRefused(const Grid& grid, ivec3 cell, size_t stored) {
-  if (!gridContains(grid.parameters, cell) || stored < size_t(grid.parameters.capacity)) return false;
-  if (grid.parameters.reserved == 0) return true;
-  for (int slot = grid.parameters.capacity; slot < grid.parameters.capacity + grid.parameters.reserved; ++slot)
-    if (grid.at(gridTexel(grid.parameters, cell, slot)) != 0) return true;
-  return false;
-}
-
 }  // namespace
 
 Demand::Demand(const GridParameters& grid, const NumberedScene& scene, std::span<const Triangle> worldTriangles) : grid_(grid) {
@@ -112,8 +99,10 @@ std::vector<uint32_t> storedIn(const Grid& grid, ivec3 cell) {
 }
 
 std::vector<uint32_t> refusedBy(const Grid& grid, const Demand& demand, ivec3 cell) {
-  std::vector<uint32_t> stored = storedIn(grid, cell), refused;
-  if (!hasRefused(grid, cell, stored.size())) return refused;
+  if (!gridContains(grid.parameters, cell)) return {};
+  const CellSlots slots = readCell(grid, cell);
+  if (slots.references.size() < size_t(grid.parameters.capacity) || !cellSaturated(grid.parameters, slots)) return {};
+  std::vector<uint32_t> stored = slots.references, refused;
   std::sort(stored.begin(), stored.end());
   const std::span<const uint32_t> wanted = demand.wanted(cell);
   std::set_difference(wanted.begin(), wanted.end(), stored.begin(), stored.end(), std::back_inserter(refused));

@@ -1,9 +1,10 @@
-// A grid in memory, empty at first.
+// A grid in memory: empty at first, and what a cell of it holds.
 #include "core/grid.h"
 
 #include <algorithm>
 
 #include "core/parallel.h"
+#include "core/slots.h"
 
 namespace gridscope {
 
@@ -23,6 +24,27 @@ Grid makeEmptyGrid(const GridParameters& parameters) {
         }
   });
   return grid;
+}
+
+CellSlots readCell(const Grid& grid, ivec3 cell) {
+  const SlotReader reader(grid);
+  CellSlots slots;
+  for (int slot = 0; slot < grid.parameters.stride; ++slot) {
+    const uint32_t word = reader.slotLoad(gridTexel(grid.parameters, cell, slot));
+    if (slot >= grid.parameters.capacity) {
+      slots.reserved.push_back(word);
+    } else if (word == kBlank) {
+      slot = grid.parameters.capacity - 1;
+    } else {
+      slots.references.push_back(word);
+    }
+  }
+  return slots;
+}
+
+bool cellSaturated(const GridParameters& grid, const CellSlots& cell) {
+  if (grid.reserved == 0) return cell.references.size() == size_t(grid.capacity);
+  return std::ranges::any_of(cell.reserved, [](uint32_t word) { return word != 0; });
 }
 
 }  // namespace gridscope

@@ -8,10 +8,6 @@ namespace gridscope {
 
 namespace {
 
-size_t cellIndex(const GridParameters& grid, ivec3 cell) {
-  return (size_t(cell.z) * size_t(grid.cellCount.y) + size_t(cell.y)) * size_t(grid.cellCount.x) + size_t(cell.x);
-}
-
 // The triangle that a ray's fault is charged to: the one that it should have hit; where there is none, the one that the event is about.
 uint32_t chargedReference(const RayTruth& truth) { return truth.exactReference != kBlank ? truth.exactReference : truth.reference; }
 
