@@ -30,7 +30,7 @@ void setGridDefaults(const GridSettings& settings, GridParameters& grid) {
   grid.boxHalfEdge = static_cast<float>(double(settings.enlargement) * grid.cellEdge / 2.0);
   grid.overlap = settings.overlap;
   grid.insertion = settings.insertion;
-  grid.cellsPerInvocation = std::max(1u, kLoopBudget / (8 * (static_cast<uint32_t>(grid.capacity) + 2)));
+  grid.cellsPerInvocation = cellsPerInvocation(grid.capacity);
 }
 
 void readGrid(const FieldReader& field, const GridSettings& settings, GridParameters& grid) {

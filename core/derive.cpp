@@ -165,6 +165,8 @@ std::string adviseSettings(const GridSettings& settings, const GridParameters& g
 
 }  // namespace
 
+uint32_t cellsPerInvocation(int capacity) { return std::max(1u, kLoopBudget / (8 * (static_cast<uint32_t>(capacity) + 2))); }
+
 GridParameters deriveGrid(const GridSettings& settings, const Bounds& sceneBounds, const NumberedScene& scene) {
   const Bounds bounds = checkBounds(settings, sceneBounds);
   checkCapacity(settings.capacity);
@@ -189,7 +191,7 @@ GridParameters deriveGrid(const GridSettings& settings, const Bounds& sceneBound
   grid.boxHalfEdge = static_cast<float>(double(settings.enlargement) * grid.cellEdge / 2.0);
   grid.overlap = settings.overlap;
   grid.insertion = settings.insertion;
-  grid.cellsPerInvocation = std::max(1u, kLoopBudget / (8 * (settings.capacity + 2)));
+  grid.cellsPerInvocation = cellsPerInvocation(grid.capacity);
 
   // What the scene says.
   grid.staticInstanceCount = scene.staticInstanceCount;

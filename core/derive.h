@@ -11,6 +11,9 @@ namespace gridscope {
 // it costs nothing elsewhere.
 inline constexpr uint32_t kLoopBudget = 65535;
 
+// How many cells an invocation of a build may walk, so that its loops stay within that budget.
+uint32_t cellsPerInvocation(int capacity);
+
 // The grid for a scene's bounds: `bounds` covered by cubes, one cell more on each side. Throws Error for impossible settings (capacity 0,
 // no cells, bounds that are empty or not finite) and for grids beyond the format's limits.
 GridParameters deriveGrid(const GridSettings& settings, const Bounds& sceneBounds, const NumberedScene& scene);

@@ -20,7 +20,7 @@ std::vector<Value> orOwn(const std::vector<Value>& axis, Value own) {
 GridParameters builtHere(GridParameters grid) {
   grid.reserved = 2;
   grid.stride = grid.capacity + grid.reserved;
-  grid.cellsPerInvocation = std::max(1u, kLoopBudget / (8 * uint32_t(grid.stride)));
+  grid.cellsPerInvocation = cellsPerInvocation(grid.capacity);
   return grid;
 }
 
