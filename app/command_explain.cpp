@@ -33,8 +33,6 @@ TruthProgress shownOn(Progress& progress, const std::string& what) {
   };
 }
 
-const char* traversalText(const TraceParameters& trace) { return trace.traversal == kTraversalDda ? "dda" : "segment"; }
-
 // What there is to say before the work: of budgets' figures, which ones there will be.
 ExplainReport emptyExplain(const Session& session, const Options& options) {
   ExplainReport report;
@@ -74,14 +72,14 @@ nlohmann::ordered_json resultsOf(const Session& session, const ExplainReport& re
   json["frame"] = report.frameNumber;
   json["scene"] = sceneJson(session);
   json["grid"] = gridJson(parameters.grid);
-  json["traversal"] = traversalText(parameters.trace);
+  json["traversal"] = traversalWord(parameters.trace.traversal);
   return json;
 }
 
 void printHeading(std::FILE* out, const Session& session, const ExplainReport& report) {
   const Pipeline& pipeline = session.pipeline();
   std::fprintf(out, "%s, %u x %u rays, %s, %s on %s\n", session.scene().name.c_str(), pipeline.settings().width, pipeline.settings().height,
-               gridText(pipeline.parameters().grid).c_str(), traversalText(pipeline.parameters().trace), session.deviceName().c_str());
+               gridText(pipeline.parameters().grid).c_str(), traversalWord(pipeline.parameters().trace.traversal), session.deviceName().c_str());
   if (session.frameCount() > 1) std::fprintf(out, "frame %u of frames 0 to %u\n", report.frameNumber, session.frameCount() - 1);
   if (report.foreignHits.value_or(0) > 0) std::fprintf(out, "%s\n", foreignHitsText(*report.foreignHits).c_str());
   std::fprintf(out, "\n");

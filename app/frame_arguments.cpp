@@ -61,17 +61,17 @@ void sayGrid(Arguments& arguments, const GridSettings& grid) {
   }
   static constexpr const char* kAxes[] = {"x", "y", "z", "auto"};
   arguments.choice("--stretch", grid.stretch, usual.stretch, kAxes[size_t(grid.stretch)]);
-  arguments.choice("--builder", grid.builder, usual.builder, grid.builder == Builder::raster ? "raster" : "compute");
-  arguments.choice("--insertion", grid.insertion, usual.insertion, grid.insertion == kInsertionFirstCome ? "first-come" : "sorted");
-  arguments.choice("--number-by", grid.numberBy, usual.numberBy, grid.numberBy == NumberBy::area ? "area" : "file");
-  arguments.choice("--overlap", grid.overlap, usual.overlap, grid.overlap == kOverlapExact ? "exact" : "plane");
+  arguments.choice("--builder", grid.builder, usual.builder, builderWord(grid.builder));
+  arguments.choice("--insertion", grid.insertion, usual.insertion, insertionWord(grid.insertion));
+  arguments.choice("--number-by", grid.numberBy, usual.numberBy, numberingWord(grid.numberBy));
+  arguments.choice("--overlap", grid.overlap, usual.overlap, overlapWord(grid.overlap));
   arguments.differing("--enlargement", grid.enlargement, usual.enlargement);
-  arguments.choice("--update", grid.update, usual.update, grid.update == UpdateMode::moved ? "moved" : "all");
+  arguments.choice("--update", grid.update, usual.update, updateWord(grid.update));
 }
 
 void sayTrace(Arguments& arguments, const TraceSettings& trace) {
   const TraceSettings usual;
-  arguments.choice("--traversal", trace.traversal, usual.traversal, trace.traversal == kTraversalDda ? "dda" : "segment");
+  arguments.choice("--traversal", trace.traversal, usual.traversal, traversalWord(trace.traversal));
   arguments.differing("--back", trace.back, usual.back);
   arguments.say("--ahead", trace.ahead);
   arguments.differing("--tmin", trace.tMin, usual.tMin);

@@ -103,14 +103,14 @@ void drawAxes(const WindowModel& model, TunerPanel& tuner) {
   const auto length = [](float value) { return printed("%g", double(value)); };
   axisRow("Cells", axes.cells, {32, 48, 64, 96, 128, 160, 192, 256, 320}, whole);
   axisRow("Capacity", axes.capacities, {4, 8, 16, 24, 32, 48, 64, 128}, whole);
-  axisRow("Overlap", axes.overlaps, usual.overlaps, [](uint32_t overlap) { return std::string(overlap == kOverlapExact ? "exact" : "plane"); });
+  axisRow("Overlap", axes.overlaps, usual.overlaps, [](uint32_t overlap) { return std::string(overlapWord(overlap)); });
   ImGui::BeginDisabled(!canRenumber(*model.frame));
   axisRow("Numbering", axes.numberings, usual.numberings, [](NumberBy order) { return std::string(order == NumberBy::area ? "by area" : "by file"); });
   ImGui::EndDisabled();
   if (!canRenumber(*model.frame)) whyTooltip("Captures and edited scenes keep their numbering");
   ImGui::Dummy(ImVec2(0.0f, unit(4)));
   textDim("Then, on the best of these grids:");
-  axisRow("Traversal", axes.traversals, usual.traversals, [](uint32_t traversal) { return std::string(traversal == kTraversalDda ? "dda" : "segment"); });
+  axisRow("Traversal", axes.traversals, usual.traversals, [](uint32_t traversal) { return std::string(traversalWord(traversal)); });
   axisRow("Back", axes.backs, usual.backs, length);
   axisRow("Ahead", axes.aheads, usual.aheads, length);
   axisRow("Gate", axes.gates, usual.gates, length);

@@ -88,7 +88,7 @@ void drawCallout(const PlotFrame& plot, const ImVec2& place, const std::string& 
 }
 
 std::string shortText(const TuneRow& row) {
-  return cellsText(row) + " \u00b7 " + std::to_string(row.grid.capacity) + " \u00b7 " + (row.grid.overlap == kOverlapExact ? "exact" : "plane") +
+  return cellsText(row) + " \u00b7 " + std::to_string(row.grid.capacity) + " \u00b7 " + overlapWord(row.grid.overlap) +
          (row.grid.numberBy == NumberBy::area ? " \u00b7 area" : "");
 }
 

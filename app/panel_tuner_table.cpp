@@ -40,8 +40,8 @@ struct TunerColumn {
 const TunerColumn kColumns[] = {
     {"cells", "Along the longest side", true, 0.7f, 0, [](const TuneRow& row) { return cellsText(row); }},
     {"capacity", "Slots of a cell", true, 0.8f, 0, [](const TuneRow& row) { return std::to_string(row.grid.capacity); }},
-    {"overlap", "Which cells take a triangle", false, 0.8f, 0, [](const TuneRow& row) { return std::string(row.grid.overlap == kOverlapExact ? "exact" : "plane"); }},
-    {"order", "Numbering of the references", false, 0.6f, 1, [](const TuneRow& row) { return std::string(row.grid.numberBy == NumberBy::area ? "area" : "file"); }},
+    {"overlap", "Which cells take a triangle", false, 0.8f, 0, [](const TuneRow& row) { return std::string(overlapWord(row.grid.overlap)); }},
+    {"order", "Numbering of the references", false, 0.6f, 1, [](const TuneRow& row) { return std::string(numberingWord(row.grid.numberBy)); }},
     {"trace", "Back / ahead of a segment, and the gate, in cell edges", false, 1.6f, 2, [](const TuneRow& row) { return traceText(row.trace); }},
     {"MiB", "Memory of the grid image", true, 0.8f, 0, [](const TuneRow& row) { return printed("%.1f", double(row.bytes) / kMiB); }},
     {"ms", "Trace, median", true, 0.8f, 0, [](const TuneRow& row) { return row.measured() ? printed("%.1f", row.traceMs.median) : "\u2013"; }},

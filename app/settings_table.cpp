@@ -28,18 +28,18 @@ void addGrid(std::vector<SettingText>& rows, const GridSettings& grid) {
   rows.push_back(setting("--capacity", grid, [](const G& g) { return std::to_string(g.capacity); }, "slots of a cell"));
   rows.push_back(setting("--bounds", grid, boundsText, "what the grid covers, world units"));
   rows.push_back(setting("--stretch", grid, stretchText, "axis along which a cell's slots lie"));
-  rows.push_back(setting("--builder", grid, [](const G& g) { return std::string(g.builder == Builder::raster ? "raster" : "compute"); }, "both make the same bits"));
-  rows.push_back(setting("--insertion", grid, [](const G& g) { return std::string(g.insertion == kInsertionSorted ? "sorted" : "first-come"); },
+  rows.push_back(setting("--builder", grid, [](const G& g) { return std::string(builderWord(g.builder)); }, "both make the same bits"));
+  rows.push_back(setting("--insertion", grid, [](const G& g) { return std::string(insertionWord(g.insertion)); },
                          "which references a full cell keeps"));
-  rows.push_back(setting("--overlap", grid, [](const G& g) { return std::string(g.overlap == kOverlapExact ? "exact" : "plane"); }, "test of triangle and cell"));
+  rows.push_back(setting("--overlap", grid, [](const G& g) { return std::string(overlapWord(g.overlap)); }, "test of triangle and cell"));
   rows.push_back(setting("--enlargement", grid, [](const G& g) { return numberText(g.enlargement); }, "of the cell in that test"));
-  rows.push_back(setting("--number-by", grid, [](const G& g) { return std::string(g.numberBy == NumberBy::area ? "area" : "file"); }, "order of the references"));
-  rows.push_back(setting("--update", grid, [](const G& g) { return std::string(g.update == UpdateMode::moved ? "moved" : "all"); }, "what an update adds again"));
+  rows.push_back(setting("--number-by", grid, [](const G& g) { return std::string(numberingWord(g.numberBy)); }, "order of the references"));
+  rows.push_back(setting("--update", grid, [](const G& g) { return std::string(updateWord(g.update)); }, "what an update adds again"));
 }
 
 void addTrace(std::vector<SettingText>& rows, const TraceSettings& trace) {
   using T = TraceSettings;
-  rows.push_back(setting("--traversal", trace, [](const T& t) { return std::string(t.traversal == kTraversalDda ? "dda" : "segment"); }, "how a ray finds its cells"));
+  rows.push_back(setting("--traversal", trace, [](const T& t) { return std::string(traversalWord(t.traversal)); }, "how a ray finds its cells"));
   rows.push_back(setting("--back", trace, [](const T& t) { return numberText(t.back); }, "reach of a segment, cell edges"));
   rows.push_back(setting("--ahead", trace, [](const T& t) { return numberText(t.ahead); }, "likewise beyond its end"));
   rows.push_back(setting("--tmin", trace, [](const T& t) { return numberText(t.tMin); }, "nearest hit that counts, cell edges"));

@@ -14,10 +14,6 @@ using Json = nlohmann::ordered_json;
 
 constexpr size_t kBestRows = 10;
 
-const char* overlapText(const TuneRow& row) { return row.grid.overlap == kOverlapExact ? "exact" : "plane"; }
-const char* numberingText(const TuneRow& row) { return row.grid.numberBy == NumberBy::area ? "area" : "file"; }
-const char* traversalText(const TuneRow& row) { return row.trace.traversal == kTraversalDda ? "dda" : "segment"; }
-
 std::string traceText(const TuneRow& row) {
   if (row.trace.traversal == kTraversalDda) return printed("dda g%g", double(row.trace.gate));
   return printed("b%g a%g g%g", double(row.trace.back), double(row.trace.ahead), double(row.trace.gate));
@@ -31,7 +27,7 @@ void addHeader(Table& table) {
 void addRow(Table& table, const std::string& name, const TuneRow& row) {
   auto share = [&](uint32_t verdict) { return percentOf(row.verdicts[verdict], row.rays); };
   table.add({name, row.grid.cellEdge > 0.0f ? printed("edge %g", double(row.grid.cellEdge)) : std::to_string(row.grid.cells),
-             std::to_string(row.grid.capacity), overlapText(row), numberingText(row), traceText(row), byteText(row.bytes), grouped(row.stored),
+             std::to_string(row.grid.capacity), overlapWord(row.grid.overlap), numberingWord(row.grid.numberBy), traceText(row), byteText(row.bytes), grouped(row.stored),
              grouped(row.refused), grouped(row.saturated), percentOf(row.wrong(), row.rays), share(kVerdictHole), share(kVerdictVoxelWrong),
              share(kVerdictTooFar), share(kVerdictTooNear), share(kVerdictVoxelRight), printed("%.1f", row.visits), printed("%.1f", row.tests),
              printed("%.2f", row.buildMs.median), printed("%.2f", row.traceMs.median)});
@@ -113,8 +109,8 @@ void printRecommendation(std::FILE* out, const TuneResult& result) {
 Json spreadJson(const Spread& spread) { return {{"min", spread.min}, {"median", spread.median}, {"max", spread.max}}; }
 
 Json settingJson(const TuneRow& row) {
-  Json json = {{"cells", row.grid.cells}, {"capacity", row.grid.capacity}, {"overlap", overlapText(row)}, {"numberBy", numberingText(row)},
-               {"traversal", traversalText(row)}, {"back", row.trace.back}, {"ahead", row.trace.ahead}, {"gate", row.trace.gate},
+  Json json = {{"cells", row.grid.cells}, {"capacity", row.grid.capacity}, {"overlap", overlapWord(row.grid.overlap)}, {"numberBy", numberingWord(row.grid.numberBy)},
+               {"traversal", traversalWord(row.trace.traversal)}, {"back", row.trace.back}, {"ahead", row.trace.ahead}, {"gate", row.trace.gate},
                {"flags", tuneFlags(row)}};
   if (row.grid.cellEdge > 0.0f) json["cellEdge"] = row.grid.cellEdge;
   return json;
@@ -189,8 +185,8 @@ std::string tuneCsv(const TuneResult& result) {
   for (size_t i = 0; i < result.rows.size(); ++i) {
     const TuneRow& row = result.rows[i];
     csv += printed("%s,%s,%u,%s,%s,%s,%g,%g,%g,", row.grid.cellEdge > 0.0f ? "" : std::to_string(row.grid.cells).c_str(),
-                   row.grid.cellEdge > 0.0f ? printed("%.9g", double(row.grid.cellEdge)).c_str() : "", row.grid.capacity, overlapText(row),
-                   numberingText(row), traversalText(row), double(row.trace.back), double(row.trace.ahead), double(row.trace.gate));
+                   row.grid.cellEdge > 0.0f ? printed("%.9g", double(row.grid.cellEdge)).c_str() : "", row.grid.capacity, overlapWord(row.grid.overlap),
+                   numberingWord(row.grid.numberBy), traversalWord(row.trace.traversal), double(row.trace.back), double(row.trace.ahead), double(row.trace.gate));
     if (!row.measured()) {
       csv += std::string(19, ',') + "0,0," + quoted(row.refusal) + "\r\n";
       continue;

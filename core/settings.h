@@ -16,6 +16,14 @@ enum class Builder { compute, raster };
 enum class NumberBy { file, area };      // order of the references: the file's, or falling triangle area
 enum class UpdateMode { all, moved };    // clear and add again every dynamic instance, or only what moved
 
+// What their values are called, on the command line and in every table.
+constexpr const char* builderWord(Builder builder) { return builder == Builder::raster ? "raster" : "compute"; }
+constexpr const char* numberingWord(NumberBy order) { return order == NumberBy::area ? "area" : "file"; }
+constexpr const char* updateWord(UpdateMode update) { return update == UpdateMode::moved ? "moved" : "all"; }
+constexpr const char* insertionWord(uint32_t insertion) { return insertion == kInsertionSorted ? "sorted" : "first-come"; }
+constexpr const char* overlapWord(uint32_t overlap) { return overlap == kOverlapExact ? "exact" : "plane"; }
+constexpr const char* traversalWord(uint32_t traversal) { return traversal == kTraversalDda ? "dda" : "segment"; }
+
 struct GridSettings {
   uint32_t cells = 128;                  // along the longest side of the bounds
   float cellEdge = 0.0f;                 // world units; above 0 it replaces `cells`

@@ -33,9 +33,6 @@ std::string edgeOrCells(const TuneRow& row, const char* edge, const char* cells)
   return row.grid.cellEdge > 0.0f ? edge + numberText(row.grid.cellEdge) : cells + std::to_string(row.grid.cells);
 }
 
-const char* overlapName(const TuneRow& row) { return row.grid.overlap == kOverlapExact ? "exact" : "plane"; }
-const char* numberingName(const TuneRow& row) { return row.grid.numberBy == NumberBy::area ? "area" : "file"; }
-
 }  // namespace
 
 double relativeNoise(std::span<const TuneRow> rows) {
@@ -89,7 +86,7 @@ double traceTimeOf(const TuneRow& row) { return row.traceMs.median; }
 
 std::string tuneFlags(const TuneRow& row) {
   std::string flags = edgeOrCells(row, "--cell-edge ", "--cells ") + " --capacity " + std::to_string(row.grid.capacity) + " --overlap " +
-                      overlapName(row) + " --number-by " + numberingName(row);
+                      overlapWord(row.grid.overlap) + " --number-by " + numberingWord(row.grid.numberBy);
   const bool segments = row.trace.traversal == kTraversalSegment;
   flags += segments ? " --traversal segment --back " + numberText(row.trace.back) + " --ahead " + numberText(row.trace.ahead)
                     : std::string(" --traversal dda");
@@ -98,7 +95,7 @@ std::string tuneFlags(const TuneRow& row) {
 
 std::string tuneTitle(const TuneRow& row) {
   std::string title = row.grid.cellEdge > 0.0f ? "cells of " + numberText(row.grid.cellEdge) : std::to_string(row.grid.cells) + " cells";
-  title += ", capacity " + std::to_string(row.grid.capacity) + ", " + overlapName(row) + ", by " + numberingName(row);
+  title += ", capacity " + std::to_string(row.grid.capacity) + ", " + overlapWord(row.grid.overlap) + ", by " + numberingWord(row.grid.numberBy);
   title += row.trace.traversal == kTraversalSegment
                ? "; segment, back " + numberText(row.trace.back) + ", ahead " + numberText(row.trace.ahead)
                : std::string("; dda");
