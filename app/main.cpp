@@ -8,10 +8,10 @@
 #include <string>
 #include <vector>
 
-#include "app/commands.h"
-#include "app/window.h"
-#include "core/built_in_scenes.h"
-#include "core/error.h"
+#include "app/commands/commands.h"
+#include "app/ui/shell/window.h"
+#include "core/scene/built_in_scenes.h"
+#include "core/base/error.h"
 
 namespace gridscope {
 

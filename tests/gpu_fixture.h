@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/gpu_context.h"
+#include "core/gpu/context.h"
 
 namespace gridscope {
 

@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "core/build.h"
-#include "core/derive.h"
-#include "core/invariants.h"
-#include "core/trace.h"
+#include "core/grid/build.h"
+#include "core/grid/derive.h"
+#include "core/grid/invariants.h"
+#include "core/trace/trace.h"
 
 namespace gridscope {
 

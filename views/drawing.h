@@ -6,7 +6,7 @@
 #include <variant>
 #include <vector>
 
-#include "core/image_file.h"
+#include "core/base/image_file.h"
 #include "views/fonts.h"
 
 namespace gridscope {

@@ -2,7 +2,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "shaders/shared/palette.h"
+#include "shaders/shared/views/palette.h"
 #include "views/drawing.h"
 
 namespace gridscope {

@@ -7,8 +7,8 @@
 
 #include <stb/stb_truetype.h>
 
-#include "core/embed.h"
-#include "core/error.h"
+#include "core/base/embed.h"
+#include "core/base/error.h"
 
 EMBED(gridscope_font_sans, GRIDSCOPE_FONT_SANS);
 EMBED(gridscope_font_mono, GRIDSCOPE_FONT_MONO);

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "core/image_file.h"
+#include "core/base/image_file.h"
 
 namespace gridscope {
 

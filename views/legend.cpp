@@ -6,9 +6,9 @@
 #include <cstdio>
 #include <iterator>
 
-#include "core/error.h"
-#include "shaders/shared/palette.h"
-#include "shaders/shared/truth_colours.h"
+#include "core/base/error.h"
+#include "shaders/shared/views/palette.h"
+#include "shaders/shared/truth/truth_colours.h"
 #include "views/fonts.h"
 
 namespace gridscope {

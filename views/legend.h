@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/image_file.h"
+#include "core/base/image_file.h"
 #include "views/view.h"
 
 namespace gridscope {

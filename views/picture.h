@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "core/image_file.h"
-#include "shaders/shared/view_element.h"
+#include "core/base/image_file.h"
+#include "shaders/shared/views/view_element.h"
 #include "views/view.h"
 
 namespace gridscope {

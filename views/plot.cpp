@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "shaders/shared/palette.h"
+#include "shaders/shared/views/palette.h"
 #include "views/legend.h"
 
 namespace gridscope {

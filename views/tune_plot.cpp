@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/tune_choice.h"
-#include "shaders/shared/palette.h"
+#include "core/tune/choice.h"
+#include "shaders/shared/views/palette.h"
 
 namespace gridscope {
 namespace {

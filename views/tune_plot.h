@@ -1,7 +1,7 @@
 // The plots of a sweep: memory and trace time against the share of wrong rays, a point a setting, with their fronts.
 #pragma once
 
-#include "core/tune.h"
+#include "core/tune/tune.h"
 #include "views/plot.h"
 
 namespace gridscope {

@@ -5,7 +5,7 @@
 //     #ifdef __cplusplus
 //     {.name = "visits", .title = "Cells visited", .unit = "cells", ...},
 //     #else
-// GLSL (included by shaders/view.comp) sees the function, in GLSL 4.6 with everything of shaders/bindings.glsl and shaders/shared/view_element.h:
+// GLSL (included by shaders/views/view.comp) sees the function, in GLSL 4.6 with everything of shaders/pipeline/bindings.glsl and shaders/shared/views/view_element.h:
 //     ViewElement viewElement(uint pixel) { return valueElement(float(counters[pixel].visits)); }
 //     #endif
 #pragma once
@@ -16,7 +16,7 @@
 #include <string_view>
 #include <vector>
 
-#include "shaders/shared/palette.h"
+#include "shaders/shared/views/palette.h"
 
 namespace gridscope {
 

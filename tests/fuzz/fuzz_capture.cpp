@@ -10,8 +10,8 @@
 #include <cstdlib>
 #include <set>
 
-#include "core/capture.h"
-#include "core/capture_zip.h"
+#include "core/capture/capture.h"
+#include "core/capture/zip.h"
 
 using namespace gridscope;
 

@@ -4,12 +4,12 @@
 //   tests/fuzz/build && /tmp/fuzz/seeds /tmp/fuzz/corpus
 //   /tmp/fuzz/fuzz_gltf -max_len=65536 -timeout=20 -rss_limit_mb=4096 -max_total_time=3600 /tmp/fuzz/corpus/gltf
 //
-// The input is a .gltf or .glb file; no file beside it is read. tinygltf itself comes from the system and is compiled in core/gltf.cpp.
+// The input is a .gltf or .glb file; no file beside it is read. tinygltf itself comes from the system and is compiled in core/gltf/gltf.cpp.
 #include <cstdint>
 
-#include "core/error.h"
-#include "core/gltf.h"
-#include "core/numbering.h"
+#include "core/base/error.h"
+#include "core/gltf/gltf.h"
+#include "core/scene/numbering.h"
 
 using namespace gridscope;
 

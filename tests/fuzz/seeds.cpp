@@ -3,8 +3,8 @@
 #include <fstream>
 #include <iostream>
 
-#include "core/capture_zip.h"
-#include "tests/small_capture.h"
+#include "core/capture/zip.h"
+#include "tests/capture/small_capture.h"
 
 using namespace gridscope;
 namespace fs = std::filesystem;

@@ -1,0 +1,11 @@
+// Handles at the centre of the selected instance that was made dynamic: dragged along an axis, or across the view from the middle.
+#pragma once
+
+#include "app/ui/viewport/panels.h"
+
+namespace gridscope {
+
+// Draws them over a pane and moves the instance with the mouse.
+void dragInstance(WindowModel& model, const PaneRect& pane);
+
+}  // namespace gridscope
