@@ -10,8 +10,8 @@
 
 #include "app/commands/commands.h"
 #include "app/ui/shell/window.h"
-#include "core/scene/built_in_scenes.h"
 #include "core/base/error.h"
+#include "core/scene/built_in_scenes.h"
 
 namespace gridscope {
 
@@ -64,7 +64,8 @@ const Command* readCommandLine(CLI::App& app, Options& options, std::vector<std:
   app.require_subcommand(1);
   app.get_formatter()->column_width(36);
   for (const Command& command : kCommands) command.addOptions(*app.add_subcommand(command.name, command.about), options);
-  app.footer("Exit codes: 0 done or equal, 1 different or a check failed, 2 bad input or arguments,\n3 the device can't do it or was lost.");
+  app.footer(
+      "Exit codes: 0 done or equal, 1 different or a check failed, 2 bad input or arguments,\n3 the device can't do it or was lost.");
 
   arguments = withCommand(std::move(arguments));
   if (const std::string fault = unknownCommand(arguments); !fault.empty()) throw Error(fault);
@@ -87,7 +88,10 @@ const Command* readCommandLine(CLI::App& app, Options& options, std::vector<std:
 }
 
 int run(const std::vector<std::string>& arguments) {
-  CLI::App app("Shows what a fixed-capacity triangle grid does to every ray.\nWithout arguments: the window on the built-in hall (without a display: its views, in out/).\nWith a scene or a capture alone: the window on it.", "gridscope");
+  CLI::App app(
+      "Shows what a fixed-capacity triangle grid does to every ray.\nWithout arguments: the window on the built-in hall (without a "
+      "display: its views, in out/).\nWith a scene or a capture alone: the window on it.",
+      "gridscope");
   Options options;
   int exitCode = kExitDone;
   const Command* command = readCommandLine(app, options, arguments, exitCode);

@@ -89,11 +89,14 @@ struct BuiltScene {
   BuildReport staticReport{};
   BuildReport dynamicReport{};
 
-  BuiltScene(const Scene& scene, const GridSettings& settings) : numbered(numberScene(scene, settings.numberBy)), worldTriangles(numbered.triangleCount) {
+  BuiltScene(const Scene& scene, const GridSettings& settings)
+      : numbered(numberScene(scene, settings.numberBy)), worldTriangles(numbered.triangleCount) {
     grid = buildGrid(deriveGrid(settings, sceneBounds(scene), numbered), numbered, worldTriangles, staticReport);
     dynamicReport = updateAll(numbered, worldTriangles, grid).added;
   }
-  TraceInput traceInput(const TraceSettings& settings) const { return {grid, numbered, worldTriangles, deriveTrace(settings, grid.parameters)}; }
+  TraceInput traceInput(const TraceSettings& settings) const {
+    return {grid, numbered, worldTriangles, deriveTrace(settings, grid.parameters)};
+  }
 };
 
 // The settings with the smallest capacity at which no cell of the scene refuses a reference.

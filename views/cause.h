@@ -6,8 +6,9 @@
  .about = "The first event along the ray that makes it differ from the exact hit; where it agrees the picture is dimmed.",
  .scope = ViewScope::ray,
  .need = ViewNeed::truth,
- .marks = "refused, stepped over, revisit, segment end, accepted early, gate, filled early, alpha, self-hit, outside, left out, "
-          "stale, not inserted, segment limit, numeric"},
+ .marks =
+     "refused, stepped over, revisit, segment end, accepted early, gate, filled early, alpha, self-hit, outside, left out, "
+     "stale, not inserted, segment limit, numeric"},
 #else
 ViewElement viewElement(uint pixel) {
   uint cause = truthOf(pixel).cause;

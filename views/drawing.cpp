@@ -10,8 +10,9 @@ namespace {
 class Painter {
  public:
   Painter(const Drawing& drawing, float scale)
-      : scale_(scale), picture_(makePicture(std::max(1u, uint32_t(std::lround(float(drawing.width) * scale))),
-                                            std::max(1u, uint32_t(std::lround(float(drawing.height) * scale))), drawing.background)) {}
+      : scale_(scale),
+        picture_(makePicture(std::max(1u, uint32_t(std::lround(float(drawing.width) * scale))),
+                             std::max(1u, uint32_t(std::lround(float(drawing.height) * scale))), drawing.background)) {}
 
   Picture paint(const Drawing& drawing) {
     for (const DrawnShape& shape : drawing.shapes) std::visit([this](const auto& one) { add(one); }, shape);
@@ -65,7 +66,8 @@ class Painter {
   void add(const DrawnLine& line) {
     float from = 0.0f;
     for (size_t i = 1; i < line.points.size(); ++i) {
-      const DrawingPoint a{line.points[i - 1].x * scale_, line.points[i - 1].y * scale_}, b{line.points[i].x * scale_, line.points[i].y * scale_};
+      const DrawingPoint a{line.points[i - 1].x * scale_, line.points[i - 1].y * scale_},
+          b{line.points[i].x * scale_, line.points[i].y * scale_};
       segment(a, b, line, from);
       from += std::hypot(b.x - a.x, b.y - a.y);
     }

@@ -18,21 +18,21 @@ struct DrawingPoint {
 };
 
 enum class MarkShape { circle, square, ring, diamond };
-enum class TextAnchor { start, middle, end };   // which part of the text stands at its place
+enum class TextAnchor { start, middle, end };  // which part of the text stands at its place
 
 struct DrawnLine {
-  std::vector<DrawingPoint> points;      // one after the other; two or more
-  uint32_t colour = 0;                   // 0xRRGGBB; likewise below
+  std::vector<DrawingPoint> points;  // one after the other; two or more
+  uint32_t colour = 0;               // 0xRRGGBB; likewise below
   float width = 1.0f;
   bool dashed = false;
 };
 
 struct DrawnBox {
-  DrawingPoint corner;                   // upper left
+  DrawingPoint corner;  // upper left
   float width = 0.0f;
   float height = 0.0f;
   uint32_t colour = 0;
-  std::string title;                     // said when the mouse rests on it (SVG); may be empty
+  std::string title;  // said when the mouse rests on it (SVG); may be empty
 };
 
 struct DrawnMark {
@@ -41,12 +41,12 @@ struct DrawnMark {
   float radius = 4.0f;
   uint32_t colour = 0;
   float opacity = 1.0f;
-  std::string title;                     // as DrawnBox::title
+  std::string title;  // as DrawnBox::title
 };
 
 struct DrawnText {
-  std::string text;                      // UTF-8
-  DrawingPoint place;                    // on the baseline
+  std::string text;    // UTF-8
+  DrawingPoint place;  // on the baseline
   TextStyle style;
   TextAnchor anchor = TextAnchor::start;
 };
@@ -57,8 +57,8 @@ struct Drawing {
   uint32_t width = 0;
   uint32_t height = 0;
   uint32_t background = 0;
-  std::string title;                     // what it shows, in a sentence: for those who can't see it
-  std::vector<DrawnShape> shapes;        // later ones over earlier ones
+  std::string title;               // what it shows, in a sentence: for those who can't see it
+  std::vector<DrawnShape> shapes;  // later ones over earlier ones
 };
 
 // Adds all shapes of `part`, moved by `at`.

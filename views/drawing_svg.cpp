@@ -13,11 +13,22 @@ struct NamedColour {
   const char* property;
 };
 
-constexpr NamedColour kNamed[] = {
-    {kColourText, "--text"}, {kColourDim, "--dim"}, {kColourLine, "--line"}, {kColourPanel, "--panel"}, {kColourWindow, "--window"},
-    {kColourTriangleHit, "--hit"}, {kColourVoxelHit, "--voxel-hit"}, {kColourMiss, "--miss"}, {kColourSaturated, "--saturated"},
-    {kColourTested, "--tested"}, {kColourRevisit, "--revisit"}, {kColourHole, "--hole"}, {kColourVoxelRight, "--voxel-right"},
-    {kColourVoxelWrong, "--voxel-wrong"}, {kColourTooFar, "--too-far"}, {kColourTooNear, "--too-near"}};
+constexpr NamedColour kNamed[] = {{kColourText, "--text"},
+                                  {kColourDim, "--dim"},
+                                  {kColourLine, "--line"},
+                                  {kColourPanel, "--panel"},
+                                  {kColourWindow, "--window"},
+                                  {kColourTriangleHit, "--hit"},
+                                  {kColourVoxelHit, "--voxel-hit"},
+                                  {kColourMiss, "--miss"},
+                                  {kColourSaturated, "--saturated"},
+                                  {kColourTested, "--tested"},
+                                  {kColourRevisit, "--revisit"},
+                                  {kColourHole, "--hole"},
+                                  {kColourVoxelRight, "--voxel-right"},
+                                  {kColourVoxelWrong, "--voxel-wrong"},
+                                  {kColourTooFar, "--too-far"},
+                                  {kColourTooNear, "--too-near"}};
 
 // Two decimals are a hundredth of a pixel; what is not finite must not reach a file.
 std::string number(float value) {
@@ -32,8 +43,8 @@ class SvgWriter {
 
   std::string write(const Drawing& drawing) {
     const std::string width = std::to_string(drawing.width), height = std::to_string(drawing.height);
-    text_ = std::string("<svg") + (themed_ ? "" : " xmlns=\"http://www.w3.org/2000/svg\"") + " viewBox=\"0 0 " + width + " " + height + "\" width=\"" + width + "\" height=\"" + height +
-            "\" role=\"img\"><title>" + markupText(drawing.title) + "</title>\n";
+    text_ = std::string("<svg") + (themed_ ? "" : " xmlns=\"http://www.w3.org/2000/svg\"") + " viewBox=\"0 0 " + width + " " + height +
+            "\" width=\"" + width + "\" height=\"" + height + "\" role=\"img\"><title>" + markupText(drawing.title) + "</title>\n";
     if (!themed_) text_ += "<rect width=\"" + width + "\" height=\"" + height + "\"" + fill(drawing.background) + "/>\n";
     for (const DrawnShape& shape : drawing.shapes) std::visit([this](const auto& one) { add(one); }, shape);
     return std::move(text_ += "</svg>\n");
@@ -51,8 +62,10 @@ class SvgWriter {
 
   // An element with a title inside, or none.
   void element(const std::string& start, const char* name, const std::string& title) {
-    if (title.empty()) text_ += start + "/>\n";
-    else text_ += start + "><title>" + markupText(title) + "</title></" + name + ">\n";
+    if (title.empty())
+      text_ += start + "/>\n";
+    else
+      text_ += start + "><title>" + markupText(title) + "</title></" + name + ">\n";
   }
 
   void add(const DrawnBox& box) {
@@ -73,16 +86,19 @@ class SvgWriter {
     const std::string x = number(mark.centre.x), y = number(mark.centre.y), r = number(mark.radius);
     const std::string opacity = mark.opacity < 1.0f ? " opacity=\"" + number(mark.opacity) + "\"" : "";
     const std::string side = number(2.0f * mark.radius);
-    const std::string corner = " x=\"" + number(mark.centre.x - mark.radius) + "\" y=\"" + number(mark.centre.y - mark.radius) + "\" width=\"" + side +
-                               "\" height=\"" + side + "\"";
+    const std::string corner = " x=\"" + number(mark.centre.x - mark.radius) + "\" y=\"" + number(mark.centre.y - mark.radius) +
+                               "\" width=\"" + side + "\" height=\"" + side + "\"";
     switch (mark.shape) {
-      case MarkShape::circle: return element("<circle cx=\"" + x + "\" cy=\"" + y + "\" r=\"" + r + "\"" + fill(mark.colour) + opacity, "circle", mark.title);
+      case MarkShape::circle:
+        return element("<circle cx=\"" + x + "\" cy=\"" + y + "\" r=\"" + r + "\"" + fill(mark.colour) + opacity, "circle", mark.title);
       case MarkShape::ring:
-        return element("<circle fill=\"none\" stroke-width=\"2\" cx=\"" + x + "\" cy=\"" + y + "\" r=\"" + r + "\"" + paint("stroke", mark.colour) + opacity,
+        return element("<circle fill=\"none\" stroke-width=\"2\" cx=\"" + x + "\" cy=\"" + y + "\" r=\"" + r + "\"" +
+                           paint("stroke", mark.colour) + opacity,
                        "circle", mark.title);
       case MarkShape::square: return element("<rect" + corner + fill(mark.colour) + opacity, "rect", mark.title);
       case MarkShape::diamond:
-        return element("<rect" + corner + " transform=\"rotate(45 " + x + " " + y + ")\"" + fill(mark.colour) + opacity, "rect", mark.title);
+        return element("<rect" + corner + " transform=\"rotate(45 " + x + " " + y + ")\"" + fill(mark.colour) + opacity, "rect",
+                       mark.title);
     }
   }
 
@@ -111,7 +127,8 @@ size_t codePointBytes(std::string_view text) {
     code = (code << 6) | (byte(i) & 0x3Fu);
   }
   const bool overlong = (length == 3 && code < 0x800) || (length == 4 && code < 0x10000);
-  const bool forbidden = (code >= 0xD800 && code < 0xE000) || code == 0xFFFE || code == 0xFFFF || code > 0x10FFFF || (code >= 0x80 && code < 0xA0);
+  const bool forbidden =
+      (code >= 0xD800 && code < 0xE000) || code == 0xFFFE || code == 0xFFFF || code > 0x10FFFF || (code >= 0x80 && code < 0xA0);
   return overlong || forbidden ? 0 : length;
 }
 

@@ -18,8 +18,8 @@ std::span<const unsigned char> fontFile(FontFile file);
 
 struct TextStyle {
   Font font = Font::sans;
-  float size = 13.0f;     // pixels an em
-  uint32_t colour = 0;    // 0xRRGGBB
+  float size = 13.0f;   // pixels an em
+  uint32_t colour = 0;  // 0xRRGGBB
 };
 
 // Width in pixels of a text in UTF-8.

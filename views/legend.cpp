@@ -7,8 +7,8 @@
 #include <iterator>
 
 #include "core/base/error.h"
-#include "shaders/shared/views/palette.h"
 #include "shaders/shared/truth/truth_colours.h"
+#include "shaders/shared/views/palette.h"
 #include "views/fonts.h"
 
 namespace gridscope {
@@ -52,15 +52,15 @@ static const Meaning kMeanings[] = {
 
 // Pixels.
 static constexpr int kPadding = 10;
-static constexpr int kRow = 18;            // height of a row of text
-static constexpr int kBaseline = 13;       // of a text in its row
+static constexpr int kRow = 18;       // height of a row of text
+static constexpr int kBaseline = 13;  // of a text in its row
 static constexpr int kBarHeight = 10;
-static constexpr int kTickRow = 20;        // height of the ticks and their numbers
+static constexpr int kTickRow = 20;  // height of the ticks and their numbers
 static constexpr int kSwatchSize = 11;
-static constexpr int kGap = 16;            // between things in a row
-static constexpr int kShortestBar = 160;   // beside swatches
+static constexpr int kGap = 16;           // between things in a row
+static constexpr int kShortestBar = 160;  // beside swatches
 static constexpr int kWidestBar = 360;
-static constexpr int kTwoColumns = 840;    // from this width on, the caller's lines stand on the right
+static constexpr int kTwoColumns = 840;  // from this width on, the caller's lines stand on the right
 
 static constexpr TextStyle kTitle{.font = Font::sans, .size = 14.0f, .colour = kColourText};
 static constexpr TextStyle kWords{.font = Font::sans, .size = 13.0f, .colour = kColourText};

@@ -91,7 +91,12 @@ ViewPicture makeViewPicture(const View& view, std::span<const ViewElement> eleme
   if (isSlice) result.note = sliceNote(settings);
   if (!settings.legend) return result;
 
-  Legend legend{.view = &view, .range = result.range, .beyond = result.beyond, .colourMap = settings.colourMap, .note = result.note, .lines = settings.lines};
+  Legend legend{.view = &view,
+                .range = result.range,
+                .beyond = result.beyond,
+                .colourMap = settings.colourMap,
+                .note = result.note,
+                .lines = settings.lines};
   if (isSlice) result.picture = centred(result.picture, kNarrowestLegend);
   result.picture = setBelow(result.picture, drawLegend(legend, result.picture.width));
   return result;

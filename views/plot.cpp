@@ -18,7 +18,8 @@ constexpr TextStyle kNumber{Font::mono, 11.0f, kColourDim};
 // The plot's frame on its drawing, and the way from values to pixels.
 class PlotFrame {
  public:
-  PlotFrame(Drawing& drawing, const PlotAxis& x, const PlotAxis& y, float top) : drawing_(drawing), x_(drawableAxis(x)), y_(drawableAxis(y)), top_(top) {
+  PlotFrame(Drawing& drawing, const PlotAxis& x, const PlotAxis& y, float top)
+      : drawing_(drawing), x_(drawableAxis(x)), y_(drawableAxis(y)), top_(top) {
     left_ = 64.0f;
     right_ = float(drawing.width) - 24.0f;
     bottom_ = float(drawing.height) - 42.0f;
@@ -158,7 +159,8 @@ Drawing drawScatter(const ScatterPlot& plot, PlotSize size) {
 
   for (const PlotPoint& point : plot.points)
     if (std::isfinite(point.x) && std::isfinite(point.y))
-      drawing.shapes.push_back(DrawnMark{point.shape, {frame.placeX(point.x), frame.placeY(point.y)}, 3.5f, point.colour, point.opacity, point.title});
+      drawing.shapes.push_back(
+          DrawnMark{point.shape, {frame.placeX(point.x), frame.placeY(point.y)}, 3.5f, point.colour, point.opacity, point.title});
   for (size_t i = 0; i < plot.notes.size(); ++i) drawNote(drawing, frame, plot.notes[i], i % 2 == 0);
   return drawing;
 }
@@ -175,11 +177,15 @@ Drawing drawHistogram(const HistogramPlot& plot, PlotSize size) {
     const double from = plot.first + plot.binWidth * double(bin);
     const float x = frame.placeX(from), width = frame.placeX(from + plot.binWidth) - x, y = frame.placeY(double(plot.counts[bin]));
     const std::string range = plot.binWidth > 1.0 ? valueText(from) + " to " + valueText(from + plot.binWidth - 1.0) : valueText(from);
-    drawing.shapes.push_back(DrawnBox{{x + (width > 3.0f ? 0.5f : 0.0f), y}, std::max(width - (width > 3.0f ? 1.0f : 0.0f), 0.75f), frame.bottom() - y,
-                             bin >= plot.markedFrom ? plot.markedColour : plot.colour, range + ": " + valueText(double(plot.counts[bin]))});
+    drawing.shapes.push_back(DrawnBox{{x + (width > 3.0f ? 0.5f : 0.0f), y},
+                                      std::max(width - (width > 3.0f ? 1.0f : 0.0f), 0.75f),
+                                      frame.bottom() - y,
+                                      bin >= plot.markedFrom ? plot.markedColour : plot.colour,
+                                      range + ": " + valueText(double(plot.counts[bin]))});
   }
   if (!plot.markedWords.empty() && plot.markedFrom < plot.counts.size()) {
-    drawing.shapes.push_back(DrawnMark{MarkShape::square, {frame.right() - textWidth(plot.markedWords, kWords) - 12.0f, 48.0f}, 4.0f, plot.markedColour, 1.0f, ""});
+    drawing.shapes.push_back(DrawnMark{
+        MarkShape::square, {frame.right() - textWidth(plot.markedWords, kWords) - 12.0f, 48.0f}, 4.0f, plot.markedColour, 1.0f, ""});
     drawing.shapes.push_back(DrawnText{plot.markedWords, {frame.right(), 52.0f}, kWords, TextAnchor::end});
   }
   return drawing;

@@ -8,7 +8,5 @@
  .range = ViewRange::automatic,
  .needsCounters = true},
 #else
-ViewElement viewElement(uint pixel) {
-  return hits[pixel].kind == kHitNoRay ? noElement() : valueElement(float(counters[pixel].tests));
-}
+ViewElement viewElement(uint pixel) { return hits[pixel].kind == kHitNoRay ? noElement() : valueElement(float(counters[pixel].tests)); }
 #endif

@@ -22,7 +22,7 @@ uint32_t capacityColour(const std::vector<uint32_t>& capacities, uint32_t capaci
   const size_t place = size_t(std::ranges::lower_bound(capacities, capacity) - capacities.begin());
   const float share = capacities.size() < 2 ? 0.5f : float(place) / float(capacities.size() - 1);
   const uint32_t bytes = packBytes(colourMap(kColourMapViridis, 0.2f + 0.8f * share));
-  return (bytes & 255u) << 16 | (bytes & 0xFF00u) | bytes >> 16;   // packBytes() has red lowest
+  return (bytes & 255u) << 16 | (bytes & 0xFF00u) | bytes >> 16;  // packBytes() has red lowest
 }
 
 std::vector<uint32_t> capacitiesOf(const TuneResult& result) {
@@ -37,8 +37,9 @@ MarkShape shapeOf(const TuneRow& row) { return row.grid.overlap == kOverlapExact
 
 PlotNote noteOf(const TuneRow& row, Amount amountOf, const char* name, uint32_t colour) {
   const std::string about = (row.grid.cellEdge > 0.0f ? std::string("edge") : std::to_string(row.grid.cells)) + " \xC2\xB7 " +
-                            std::to_string(row.grid.capacity) + " \xC2\xB7 " + (row.grid.overlap == kOverlapExact ? "exact" : "plane") + " \xC2\xB7 " +
-                            (row.grid.numberBy == NumberBy::area ? "area" : "file") + (row.trace.traversal == kTraversalDda ? " \xC2\xB7 dda" : "");
+                            std::to_string(row.grid.capacity) + " \xC2\xB7 " + (row.grid.overlap == kOverlapExact ? "exact" : "plane") +
+                            " \xC2\xB7 " + (row.grid.numberBy == NumberBy::area ? "area" : "file") +
+                            (row.trace.traversal == kTraversalDda ? " \xC2\xB7 dda" : "");
   return {amountOf(row), wrongPercent(row), name, about, colour};
 }
 
@@ -56,8 +57,10 @@ PlotAxis rangeOf(std::string title, const std::vector<TuneRow>& rows, Amount amo
     axis.low = std::min(axis.low, amountOf(row));
     axis.high = std::max(axis.high, amountOf(row));
   }
-  if (logarithmic) axis.low *= 0.9, axis.high *= 1.1;
-  else axis.low = 0.0, axis.high = roundUp(axis.high);
+  if (logarithmic)
+    axis.low *= 0.9, axis.high *= 1.1;
+  else
+    axis.low = 0.0, axis.high = roundUp(axis.high);
   return axis;
 }
 
@@ -74,13 +77,15 @@ ScatterPlot plotAgainst(const TuneResult& result, std::string title, std::string
     if (!row.measured()) continue;
     pointOf[i] = plot.points.size();
     const bool onFront = std::ranges::find(front, i) != front.end();
-    plot.points.push_back({amountOf(row), wrongPercent(row), shapeOf(row), capacityColour(capacities, row.grid.capacity), onFront ? 1.0f : 0.55f, tuneTitle(row)});
+    plot.points.push_back({amountOf(row), wrongPercent(row), shapeOf(row), capacityColour(capacities, row.grid.capacity),
+                           onFront ? 1.0f : 0.55f, tuneTitle(row)});
   }
   for (size_t i : front) plot.front.push_back(pointOf[i]);
 
   if (!result.rows.empty() && result.rows[0].measured()) plot.notes.push_back(noteOf(result.rows[0], amountOf, "Now", kColourDim));
   if (result.recommended != 0) plot.notes.push_back(noteOf(result.rows[result.recommended], amountOf, "Recommended", kColourTriangleHit));
-  for (uint32_t capacity : capacities) plot.keys.push_back({std::to_string(capacity), MarkShape::circle, capacityColour(capacities, capacity)});
+  for (uint32_t capacity : capacities)
+    plot.keys.push_back({std::to_string(capacity), MarkShape::circle, capacityColour(capacities, capacity)});
   if (!plot.keys.empty()) plot.keys.front().words = "capacity " + plot.keys.front().words;
   plot.keys.push_back({"plane", MarkShape::circle, kColourDim});
   plot.keys.push_back({"exact", MarkShape::square, kColourDim});
@@ -93,11 +98,15 @@ ScatterPlot tuneMemoryPlot(const TuneResult& result) {
   return plotAgainst(result, "Wrong rays against memory", "memory of the grid, MiB", mebibytesOf);
 }
 
-ScatterPlot tuneTimePlot(const TuneResult& result) { return plotAgainst(result, "Wrong rays against trace time", "trace, ms", traceTimeOf); }
+ScatterPlot tuneTimePlot(const TuneResult& result) {
+  return plotAgainst(result, "Wrong rays against trace time", "trace, ms", traceTimeOf);
+}
 
 Drawing drawTune(const TuneResult& result, PlotSize each) {
   const Drawing memory = drawScatter(tuneMemoryPlot(result), each), time = drawScatter(tuneTimePlot(result), each);
-  Drawing both{.width = memory.width + time.width, .height = memory.height, .background = memory.background,
+  Drawing both{.width = memory.width + time.width,
+               .height = memory.height,
+               .background = memory.background,
                .title = "Wrong rays of every setting against memory and against trace time"};
   place(both, memory, {});
   place(both, time, {float(memory.width), 0.0f});

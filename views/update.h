@@ -3,7 +3,9 @@
 {.name = "update",
  .title = "Cells that the last update changed",
  .unit = "",
- .about = "In the colour of the instance that caused it: filled cells; hatched, cells that were only cleared; dim, cells that hold what they held. Elsewhere the picture is dimmed.",
+ .about =
+     "In the colour of the instance that caused it: filled cells; hatched, cells that were only cleared; dim, cells that hold what they "
+     "held. Elsewhere the picture is dimmed.",
  .scope = ViewScope::surface,
  .needsGrid = true,
  .need = ViewNeed::cellUpdates,

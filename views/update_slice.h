@@ -3,7 +3,9 @@
 {.name = "update-slice",
  .title = "Cells of a layer that the last update changed",
  .unit = "",
- .about = "In the colour of the instance that caused it: filled cells; darker, cells that were only cleared; dim, cells that hold what they held.",
+ .about =
+     "In the colour of the instance that caused it: filled cells; darker, cells that were only cleared; dim, cells that hold what they "
+     "held.",
  .scope = ViewScope::slice,
  .need = ViewNeed::cellUpdates,
  .marks = "filled, cleared dark, kept"},

@@ -45,16 +45,16 @@ enum class ViewNeed {
 };
 
 struct View {
-  std::string_view name;     // of the command line and the file
-  std::string_view title;    // of the legend and the window
-  std::string_view unit;     // what is counted; empty for colours
-  std::string_view about;    // one sentence: what it shows and how to read it
+  std::string_view name;   // of the command line and the file
+  std::string_view title;  // of the legend and the window
+  std::string_view unit;   // what is counted; empty for colours
+  std::string_view about;  // one sentence: what it shows and how to read it
   ViewScope scope = ViewScope::surface;
   ViewRange range = ViewRange::none;
-  bool needsCounters = false;        // asks for the counting trace
-  bool needsGrid = false;            // reads the grid's cells: with --device cpu the device must hold a copy
+  bool needsCounters = false;  // asks for the counting trace
+  bool needsGrid = false;      // reads the grid's cells: with --device cpu the device must hold a copy
   ViewNeed need = ViewNeed::nothing;
-  std::string_view marks = "";       // what kMark... elements mean, "saturated (refused)" say; empty: none
+  std::string_view marks = "";  // what kMark... elements mean, "saturated (refused)" say; empty: none
 };
 
 // All views, in the order of views/views.inc.

@@ -10,7 +10,7 @@ static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler may touc
 
 Interrupt::Interrupt() {
   wasAsked = false;
-  struct sigaction action{};
+  struct sigaction action {};
   action.sa_handler = [](int) { wasAsked = true; };
   action.sa_flags = static_cast<int>(SA_RESETHAND | SA_RESTART);
   sigaction(SIGINT, &action, &oldInterrupt_);

@@ -56,7 +56,9 @@ std::string joined(const std::vector<std::string>& parts, std::string_view separ
 std::string shellText(const std::vector<std::string>& arguments) {
   std::string text;
   for (const std::string& argument : arguments) {
-    const bool plain = !argument.empty() && std::ranges::all_of(argument, [](char c) { return std::isalnum(uint8_t(c)) || std::string_view("-_./,:=+@%").find(c) != std::string_view::npos; });
+    const bool plain = !argument.empty() && std::ranges::all_of(argument, [](char c) {
+      return std::isalnum(uint8_t(c)) || std::string_view("-_./,:=+@%").find(c) != std::string_view::npos;
+    });
     std::string quoted;
     for (char c : argument) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
     text += (text.empty() ? "" : " ") + (plain ? argument : "'" + quoted + "'");

@@ -12,11 +12,11 @@ namespace gridscope {
 // As printf, into a string.
 [[gnu::format(printf, 1, 2)]] std::string printed(const char* format, ...);
 
-std::string grouped(uint64_t number);                       // "1,234,567"
-std::string percentOf(uint64_t part, uint64_t whole);       // "12.3 %"; "0 %" of nothing
-std::string byteText(uint64_t bytes);                       // "512 bytes", "2.0 GiB"
+std::string grouped(uint64_t number);                              // "1,234,567"
+std::string percentOf(uint64_t part, uint64_t whole);              // "12.3 %"; "0 %" of nothing
+std::string byteText(uint64_t bytes);                              // "512 bytes", "2.0 GiB"
 std::string shellText(const std::vector<std::string>& arguments);  // quoted where a shell needs it
-std::string viewLabel(std::string_view name);               // "hit-kind" as "Hit kind"
+std::string viewLabel(std::string_view name);                      // "hit-kind" as "Hit kind"
 std::string joined(const std::vector<std::string>& parts, std::string_view separator);
 
 // Rows of cells in aligned columns.

@@ -1,7 +1,7 @@
 // gridscope bench: GPU time of each stage (with --device cpu: wall time of build, update and trace), over many runs.
+#include "app/base/text.h"
 #include "app/commands/commands.h"
 #include "app/report/report.h"
-#include "app/base/text.h"
 #include "core/base/error.h"
 #include "core/base/statistics.h"
 

@@ -1,13 +1,13 @@
 // gridscope capture: frames of a scene into a file.
 #include <chrono>
 
-#include "app/session/capture_files.h"
-#include "app/report/capture_pictures.h"
-#include "app/commands/commands.h"
-#include "app/report/report.h"
 #include "app/base/text.h"
-#include "core/capture/capture.h"
+#include "app/commands/commands.h"
+#include "app/report/capture_pictures.h"
+#include "app/report/report.h"
+#include "app/session/capture_files.h"
 #include "core/base/error.h"
+#include "core/capture/capture.h"
 #include "core/pipeline/frame_capture.h"
 
 namespace gridscope {
@@ -75,8 +75,13 @@ int runCapture(const Options& options) {
   const uint64_t bytes = std::filesystem::file_size(file);
   std::fprintf(textStream(options), "%s: %zu frame%s of %s, %s, written in %.0f ms\n", file.string().c_str(), capture.frames.size(),
                capture.frames.size() == 1 ? "" : "s", session.scene().name.c_str(), byteText(bytes).c_str(), writeMs);
-  writeJson(options, {{"file", file.string()}, {"frames", capture.frames.size()}, {"bytes", bytes}, {"writeMs", writeMs},
-                      {"scene", sceneJson(session)}, {"grid", gridJson(capture.grid)}, {"device", session.deviceName()}});
+  writeJson(options, {{"file", file.string()},
+                      {"frames", capture.frames.size()},
+                      {"bytes", bytes},
+                      {"writeMs", writeMs},
+                      {"scene", sceneJson(session)},
+                      {"grid", gridJson(capture.grid)},
+                      {"device", session.deviceName()}});
   return session.validationMessages() > 0 ? kExitDifferent : kExitDone;
 }
 

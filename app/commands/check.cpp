@@ -1,7 +1,7 @@
 // gridscope check: the stages of a frame, and after each of them everything that must hold; the order of arrival; budgets.
-#include "app/report/check_report.h"
-#include "app/commands/commands.h"
 #include "app/base/text.h"
+#include "app/commands/commands.h"
+#include "app/report/check_report.h"
 #include "core/base/error.h"
 #include "core/trace/invariants_frame.h"
 #include "core/trace/invariants_rays.h"
@@ -24,8 +24,10 @@ class Check {
   int run() {
     for (uint32_t frame = 0; frame < frameCount_; ++frame) {
       progress_.step(printed("frame %u of %u", frame + 1, frameCount_));
-      if (capturedGrid()) checkCaptured(frame);
-      else checkBuilt(frame);
+      if (capturedGrid())
+        checkCaptured(frame);
+      else
+        checkBuilt(frame);
     }
     if (options_.stability > 0) compareOrders();
     progress_.clear();
@@ -61,10 +63,12 @@ class Check {
     const Grid updated = pipeline_.grid();
     const Demand demand(updated.parameters, pipeline_.numbered(), pipeline_.worldTriangles());
     if (frame == 0) {
-      add("build", frame, testGrid({.grid = built_, .scene = pipeline_.numbered(), .demand = &demand, .tried = triedByBuild, .dynamicAdded = false}));
+      add("build", frame,
+          testGrid({.grid = built_, .scene = pipeline_.numbered(), .demand = &demand, .tried = triedByBuild, .dynamicAdded = false}));
       built_ = {};
     }
-    add("update", frame, testGrid({.grid = updated, .scene = pipeline_.numbered(), .demand = &demand, .tried = pipeline_.referencesTried()}));
+    add("update", frame,
+        testGrid({.grid = updated, .scene = pipeline_.numbered(), .demand = &demand, .tried = pipeline_.referencesTried()}));
     checkTrace(frame, updated);
   }
 
@@ -123,8 +127,8 @@ class Check {
   Session session_;
   Pipeline& pipeline_;
   uint32_t frameCount_ = options_.frames;  // of a capture all, where none are named
-  bool needsTruth_ = false;            // a budget is about wrong rays, say
-  Grid built_;                         // after the build, before the first update
+  bool needsTruth_ = false;                // a budget is about wrong rays, say
+  Grid built_;                             // after the build, before the first update
   CheckReport report_;
 };
 

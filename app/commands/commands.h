@@ -9,9 +9,9 @@ namespace gridscope {
 
 struct Command {
   const char* name;
-  const char* about;                                   // one line
+  const char* about;  // one line
   void (*addOptions)(CLI::App& command, Options& options);
-  int (*run)(const Options& options);                  // returns an ExitCode; throws Error
+  int (*run)(const Options& options);  // returns an ExitCode; throws Error
 };
 
 void addRenderOptions(CLI::App& command, Options& options);
@@ -72,7 +72,8 @@ inline constexpr Command kCommands[] = {
     {"report", "A page about a frame: settings, pictures, statistics, plots, what was lost and what it cost", addReportOptions, runReport},
     {"explain", "Say why rays differ from the exact answer: verdicts, causes and their proof", addExplainOptions, runExplain},
     {"check", "Run the stages and say after each whether everything holds that must; judge budgets", addCheckOptions, runCheck},
-    {"update-captures", "Rerecord the captures of a folder after a wanted change, and say what changed", addUpdateCapturesOptions, runUpdateCaptures},
+    {"update-captures", "Rerecord the captures of a folder after a wanted change, and say what changed", addUpdateCapturesOptions,
+     runUpdateCaptures},
 };
 
 }  // namespace gridscope

@@ -1,11 +1,11 @@
 // gridscope diff: two captures by meaning.
 #include <cstring>
 
-#include "app/session/capture_files.h"
-#include "app/report/capture_pictures.h"
 #include "app/commands/commands.h"
-#include "app/report/report.h"
+#include "app/report/capture_pictures.h"
 #include "app/report/diff.h"
+#include "app/report/report.h"
+#include "app/session/capture_files.h"
 #include "core/base/error.h"
 
 namespace gridscope {
@@ -30,7 +30,9 @@ void addDiffOptions(CLI::App& command, Options& options) {
 }
 
 int runDiff(const Options& options) {
-  const auto read = [&](size_t i) { return readCapture(options.captures.files.at(i), {.salvage = options.captures.salvage, .unknownEntries = false}); };
+  const auto read = [&](size_t i) {
+    return readCapture(options.captures.files.at(i), {.salvage = options.captures.salvage, .unknownEntries = false});
+  };
   const Capture a = read(0), b = read(1);
   const CaptureDifferences differences = diffCaptures(a, b);
 

@@ -4,11 +4,11 @@
 #include <memory>
 #include <mutex>
 
-#include "app/session/budget.h"
+#include "app/base/text.h"
 #include "app/commands/commands.h"
 #include "app/report/explain_report.h"
 #include "app/report/report.h"
-#include "app/base/text.h"
+#include "app/session/budget.h"
 #include "core/base/error.h"
 
 namespace gridscope {
@@ -79,7 +79,8 @@ nlohmann::ordered_json resultsOf(const Session& session, const ExplainReport& re
 void printHeading(std::FILE* out, const Session& session, const ExplainReport& report) {
   const Pipeline& pipeline = session.pipeline();
   std::fprintf(out, "%s, %u x %u rays, %s, %s on %s\n", session.scene().name.c_str(), pipeline.settings().width, pipeline.settings().height,
-               gridText(pipeline.parameters().grid).c_str(), traversalWord(pipeline.parameters().trace.traversal), session.deviceName().c_str());
+               gridText(pipeline.parameters().grid).c_str(), traversalWord(pipeline.parameters().trace.traversal),
+               session.deviceName().c_str());
   if (session.frameCount() > 1) std::fprintf(out, "frame %u of frames 0 to %u\n", report.frameNumber, session.frameCount() - 1);
   if (report.foreignHits.value_or(0) > 0) std::fprintf(out, "%s\n", foreignHitsText(*report.foreignHits).c_str());
   std::fprintf(out, "\n");

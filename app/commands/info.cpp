@@ -1,8 +1,8 @@
 // gridscope info: the Vulkan devices, what each can and can't do for us, and whether it computes the same bits as C++.
-#include "app/commands/commands.h"
 #include "app/base/progress.h"
-#include "app/report/report.h"
 #include "app/base/text.h"
+#include "app/commands/commands.h"
+#include "app/report/report.h"
 #include "core/base/error.h"
 #include "core/checks/self_test.h"
 
@@ -16,7 +16,7 @@ using Json = nlohmann::ordered_json;
 struct TestedDevice {
   DeviceReport report;
   SelfTestResult test;
-  std::string failure;     // why it could not run; empty: it ran
+  std::string failure;  // why it could not run; empty: it ran
 
   bool passed() const { return failure.empty() && test.passed(); }
 };
@@ -51,8 +51,10 @@ std::string testText(const TestedDevice& device) {
     different += item.different;
     if (item.different > 0) wrong.push_back(item.name);
   }
-  if (wrong.empty()) return printed("passed: %zu operations and stages, %s cases, the same bits as C++", device.test.items.size(), grouped(cases).c_str());
-  return printed("failed: %s of %s words differ from C++, in %s", grouped(different).c_str(), grouped(cases).c_str(), joined(wrong, ", ").c_str());
+  if (wrong.empty())
+    return printed("passed: %zu operations and stages, %s cases, the same bits as C++", device.test.items.size(), grouped(cases).c_str());
+  return printed("failed: %s of %s words differ from C++, in %s", grouped(different).c_str(), grouped(cases).c_str(),
+                 joined(wrong, ", ").c_str());
 }
 
 void printDevice(std::FILE* out, const TestedDevice& device, size_t index) {
@@ -60,7 +62,8 @@ void printDevice(std::FILE* out, const TestedDevice& device, size_t index) {
   auto yesNo = [](bool yes, const char* without) { return yes ? std::string("yes") : std::string("no: ") + without; };
   std::fprintf(out, "%zu  %s\n", index, report.name.c_str());
   Table table("ll");
-  table.add({"   driver", report.driver + ", Vulkan " + versionText(report.apiVersion) + (report.softwareDevice ? ", on the CPU's cores" : "")});
+  table.add(
+      {"   driver", report.driver + ", Vulkan " + versionText(report.apiVersion) + (report.softwareDevice ? ", on the CPU's cores" : "")});
   table.add({"   can be used", yesNo(report.refusal.empty(), report.refusal.c_str())});
   table.add({"   geometry stage", yesNo(report.geometryStage, "--builder compute only")});
   table.add({"   image atomics", yesNo(report.imageAtomics, "required")});
@@ -78,7 +81,8 @@ void printDevice(std::FILE* out, const TestedDevice& device, size_t index) {
 Json deviceJson(const TestedDevice& device, size_t index) {
   const DeviceReport& report = device.report;
   Json items = Json::array();
-  for (const SelfTestResult::Item& item : device.test.items) items.push_back({{"name", item.name}, {"cases", item.cases}, {"different", item.different}});
+  for (const SelfTestResult::Item& item : device.test.items)
+    items.push_back({{"name", item.name}, {"cases", item.cases}, {"different", item.different}});
   return {{"index", index},
           {"device", report.name},
           {"driver", report.driver},
@@ -121,7 +125,8 @@ int runInfo(const Options& options) {
   writeJson(options, {{"version", GRIDSCOPE_VERSION}, {"devices", devices}});
   if (usable == 0)
     throw Error(reports.empty() ? "no Vulkan device was found; install a driver (mesa-vulkan-drivers brings one for the CPU)"
-                                : "no Vulkan device can be used; the list says why", kExitDevice);
+                                : "no Vulkan device can be used; the list says why",
+                kExitDevice);
   return failed > 0 ? kExitDifferent : kExitDone;
 }
 

@@ -1,10 +1,10 @@
 // gridscope ray: the steps of one ray as text.
-#include "app/session/capture_files.h"
+#include "app/base/text.h"
 #include "app/commands/commands.h"
 #include "app/report/report.h"
-#include "app/base/text.h"
-#include "core/capture/compare.h"
+#include "app/session/capture_files.h"
 #include "core/base/error.h"
+#include "core/capture/compare.h"
 #include "core/checks/record_check.h"
 
 namespace gridscope {
@@ -31,18 +31,24 @@ std::string verdictText(const TestRecord& test) {
 
 void printStep(std::FILE* out, const StepRecord& step, const Comparison& how) {
   std::fprintf(out, "%4d  at %-10.6g %-22s %s", step.segment, step.start, cellText(step.cell).c_str(), outcomeName(step.outcome));
-  if (step.outcome == kStepRead) std::fprintf(out, ", %d references%s, %.4g from the launch plane", step.stored, step.saturated ? ", saturated" : "", step.travel);
+  if (step.outcome == kStepRead)
+    std::fprintf(out, ", %d references%s, %.4g from the launch plane", step.stored, step.saturated ? ", saturated" : "", step.travel);
   std::fprintf(out, "\n");
   for (const TestRecord& test : step.tests)
     std::fprintf(out, "        slot %-3u %s: %s\n", test.slot, referenceText(how, test.reference).c_str(), verdictText(test).c_str());
 }
 
 nlohmann::ordered_json stepJson(const StepRecord& step, const Comparison& how) {
-  nlohmann::ordered_json json = {{"segment", step.segment}, {"start", step.start}, {"cell", {step.cell.x, step.cell.y, step.cell.z}},
-                                 {"outcome", outcomeName(step.outcome)}, {"references", step.stored}, {"saturated", step.saturated}};
+  nlohmann::ordered_json json = {{"segment", step.segment},
+                                 {"start", step.start},
+                                 {"cell", {step.cell.x, step.cell.y, step.cell.z}},
+                                 {"outcome", outcomeName(step.outcome)},
+                                 {"references", step.stored},
+                                 {"saturated", step.saturated}};
   json["tests"] = nlohmann::ordered_json::array();
   for (const TestRecord& test : step.tests)
-    json["tests"].push_back({{"slot", test.slot}, {"reference", test.reference}, {"name", referenceText(how, test.reference)}, {"verdict", verdictText(test)}});
+    json["tests"].push_back(
+        {{"slot", test.slot}, {"reference", test.reference}, {"name", referenceText(how, test.reference)}, {"verdict", verdictText(test)}});
   return json;
 }
 
@@ -51,8 +57,9 @@ int compareRandomRays(const Options& options, Session& session) {
   const RecordComparison comparison = compareRecords(session.pipeline(), options.captures.randomPixels);
   const uint32_t width = session.pipeline().settings().width;
   std::FILE* out = textStream(options);
-  std::fprintf(out, "%s of %s recorded rays of %s end with the frame's hit\n", grouped(comparison.compared - comparison.different.size()).c_str(),
-               grouped(comparison.compared).c_str(), session.scene().name.c_str());
+  std::fprintf(out, "%s of %s recorded rays of %s end with the frame's hit\n",
+               grouped(comparison.compared - comparison.different.size()).c_str(), grouped(comparison.compared).c_str(),
+               session.scene().name.c_str());
   nlohmann::ordered_json json = {{"compared", comparison.compared}, {"different", nlohmann::ordered_json::array()}};
   for (uint32_t pixel : comparison.different) {
     std::fprintf(out, "  %s does not\n", pixelText(pixel, width).c_str());
@@ -98,9 +105,10 @@ int runRay(const Options& options) {
   const CaptureNames names = session.names();
   const Comparison how{"", "", pipeline.numbered(), &names};
   std::FILE* out = textStream(options);
-  std::fprintf(out, "%s of %s: from (%.7g, %.7g, %.7g) along (%.7g, %.7g, %.7g)\n", pixelText(pixel, settings.width).c_str(), session.scene().name.c_str(),
-               ray.origin.x, ray.origin.y, ray.origin.z, ray.direction.x, ray.direction.y, ray.direction.z);
-  nlohmann::ordered_json json = {{"pixel", {x, y}}, {"valid", ray.valid != 0}, {"hit", hitText(how, record.hit)}, {"steps", nlohmann::ordered_json::array()}};
+  std::fprintf(out, "%s of %s: from (%.7g, %.7g, %.7g) along (%.7g, %.7g, %.7g)\n", pixelText(pixel, settings.width).c_str(),
+               session.scene().name.c_str(), ray.origin.x, ray.origin.y, ray.origin.z, ray.direction.x, ray.direction.y, ray.direction.z);
+  nlohmann::ordered_json json = {
+      {"pixel", {x, y}}, {"valid", ray.valid != 0}, {"hit", hitText(how, record.hit)}, {"steps", nlohmann::ordered_json::array()}};
   for (const StepRecord& step : record.steps) {
     printStep(out, step, how);
     json["steps"].push_back(stepJson(step, how));

@@ -3,12 +3,12 @@
 #include <filesystem>
 #include <optional>
 
+#include "app/base/text.h"
 #include "app/commands/commands.h"
 #include "app/report/findings.h"
 #include "app/report/report.h"
-#include "app/base/text.h"
-#include "core/checks/cpu_check.h"
 #include "core/base/error.h"
+#include "core/checks/cpu_check.h"
 #include "core/checks/exact_check.h"
 #include "views/picture.h"
 
@@ -91,8 +91,8 @@ class Render {
     Pipeline& pipeline = session_.pipeline();
     const Grid shape{pipeline.parameters().grid, {}};
     const std::vector<Triangle> triangles = pipeline.worldTriangles();
-    report_.exact = compareWithExact({shape, pipeline.numbered(), triangles, pipeline.parameters().trace}, pipeline.rays(),
-                                     pipeline.hits(), options_.checkExact);
+    report_.exact = compareWithExact({shape, pipeline.numbered(), triangles, pipeline.parameters().trace}, pipeline.rays(), pipeline.hits(),
+                                     options_.checkExact);
   }
 
   bool needsCounters(uint32_t frame) const {
@@ -131,7 +131,8 @@ class Render {
     if (!report_.frames.empty()) printReport(out, session_, report_);
     if (report_.foreignHits.value_or(0) > 0) std::fprintf(out, "%-12s%s\n", "hits", foreignHitsText(*report_.foreignHits).c_str());
     std::fprintf(out, "%-12s%zu in %s\n", "pictures", report_.pictures.size(), options_.out.string().c_str());
-    if (report_.check) std::fprintf(out, "%-12s%s\n", "check", different() ? report_.check->c_str() : "every product equals the C++ path's");
+    if (report_.check)
+      std::fprintf(out, "%-12s%s\n", "check", different() ? report_.check->c_str() : "every product equals the C++ path's");
     if (report_.exact) printExact(out, *report_.exact, session_.pipeline().settings().width);
     if (options_.validation) std::fprintf(out, "%-12s%u messages\n", "validation", session_.validationMessages());
     writeJson(options_, reportJson(session_, report_));

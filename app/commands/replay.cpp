@@ -1,10 +1,10 @@
 // gridscope replay: verdicts on captures, for people, for programs and for CI.
-#include "app/session/capture_files.h"
+#include "app/base/text.h"
 #include "app/commands/commands.h"
 #include "app/report/junit.h"
 #include "app/report/replay_jobs.h"
 #include "app/report/report.h"
-#include "app/base/text.h"
+#include "app/session/capture_files.h"
 #include "core/base/error.h"
 
 namespace gridscope {
@@ -19,7 +19,8 @@ std::vector<std::string> differences(const ReplayReport& report) {
       lines.push_back(name + ": " + grouped(product["different"].get<uint64_t>()) + " of " + grouped(product["total"].get<uint64_t>()) +
                       " differ; the first: " + product["first"].get<std::string>());
     if (product.value("distinct", 1u) > 1)
-      lines.push_back(printed("%s: %u distinct results in %u runs", name.c_str(), product["distinct"].get<uint32_t>(), report.value("runs", 1u)));
+      lines.push_back(
+          printed("%s: %u distinct results in %u runs", name.c_str(), product["distinct"].get<uint32_t>(), report.value("runs", 1u)));
   }
   return lines;
 }
@@ -62,7 +63,9 @@ JUnitCase junitCase(const ReplayReport& report) {
 
 // A difference is what one looks for, so it goes before a file or a device that gave no verdict.
 int exitCodeOf(const std::vector<ReplayReport>& reports) {
-  const auto any = [&](const char* verdict) { return std::ranges::any_of(reports, [&](const ReplayReport& report) { return report["verdict"] == verdict; }); };
+  const auto any = [&](const char* verdict) {
+    return std::ranges::any_of(reports, [&](const ReplayReport& report) { return report["verdict"] == verdict; });
+  };
   if (any("different")) return kExitDifferent;
   if (any("unsupported")) return kExitDevice;
   return any("unusable") ? kExitBadInput : kExitDone;
@@ -83,7 +86,8 @@ int runReplay(const Options& options) {
   const std::vector<std::filesystem::path> files = shardOf(captureFiles(captures.files), captures.shard, captures.shards);
   Progress progress(files.size() + 1);
   std::vector<ReplayReport> reports;
-  if (!files.empty()) reports = captures.jobs > 1 && files.size() > 1 ? replayInProcesses(files, options, progress) : replayFiles(files, options, progress);
+  if (!files.empty())
+    reports = captures.jobs > 1 && files.size() > 1 ? replayInProcesses(files, options, progress) : replayFiles(files, options, progress);
   progress.clear();
 
   std::vector<JUnitCase> cases;

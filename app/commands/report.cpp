@@ -1,10 +1,10 @@
 // gridscope report: one self-contained page about a frame, for a colleague or a CI artifact.
 #include <algorithm>
 
+#include "app/base/text.h"
 #include "app/commands/commands.h"
 #include "app/report/page_frame.h"
 #include "app/report/page_sections.h"
-#include "app/base/text.h"
 
 namespace gridscope {
 
@@ -24,8 +24,8 @@ int runReport(const Options& options) {
   progress.clear();
 
   const TruthTotals& totals = frame.explained.frame.totals;
-  std::printf("%s: %s; %s of %s rays are wrong (%s)\n", options.page.string().c_str(), byteText(bytes).c_str(), grouped(totals.wrong()).c_str(),
-              grouped(totals.rays).c_str(), percentOf(totals.wrong(), totals.rays).c_str());
+  std::printf("%s: %s; %s of %s rays are wrong (%s)\n", options.page.string().c_str(), byteText(bytes).c_str(),
+              grouped(totals.wrong()).c_str(), grouped(totals.rays).c_str(), percentOf(totals.wrong(), totals.rays).c_str());
   return session.validationMessages() > 0 ? kExitDifferent : kExitDone;
 }
 

@@ -1,7 +1,7 @@
 // gridscope scenes: the built-in scenes with their lessons and the settings that they bring.
+#include "app/base/text.h"
 #include "app/commands/commands.h"
 #include "app/report/report.h"
-#include "app/base/text.h"
 #include "core/base/error.h"
 
 namespace gridscope {
@@ -34,7 +34,10 @@ int runScenes(const Options& options) {
     const uint64_t triangles = triangleCount(scene);
     const std::string settings = lessonSettings(builtIn);
     table.add({std::string(builtIn.name), grouped(triangles), grouped(scene.instances.size()), settings, std::string(builtIn.lesson)});
-    scenes.push_back({{"name", builtIn.name}, {"triangles", triangles}, {"instances", scene.instances.size()}, {"settings", settings},
+    scenes.push_back({{"name", builtIn.name},
+                      {"triangles", triangles},
+                      {"instances", scene.instances.size()},
+                      {"settings", settings},
                       {"lesson", builtIn.lesson}});
   }
   table.print(textStream(options));

@@ -1,16 +1,16 @@
 // gridscope tune: the same frame with other grids and constants; what each costs, and which one to take.
 #include <filesystem>
 
-#include "app/commands/commands.h"
 #include "app/base/interrupt.h"
-#include "app/report/report.h"
 #include "app/base/text.h"
+#include "app/commands/commands.h"
+#include "app/report/report.h"
 #include "app/report/tune_report.h"
 #include "core/base/error.h"
 #include "core/base/image_file.h"
-#include "core/tune/tune.h"
-#include "core/tune/choice.h"
 #include "core/base/write_file.h"
+#include "core/tune/choice.h"
+#include "core/tune/tune.h"
 #include "views/tune_plot.h"
 
 namespace gridscope {
@@ -29,7 +29,8 @@ class TimeLeft {
     ends_.push_back(Clock::now());
     const size_t span = std::min<size_t>(kRows, ends_.size() - 1);
     if (span == 0 || done >= total) return "";
-    const double seconds = std::chrono::duration<double>(ends_.back() - ends_[ends_.size() - 1 - span]).count() / double(span) * double(total - done);
+    const double seconds =
+        std::chrono::duration<double>(ends_.back() - ends_[ends_.size() - 1 - span]).count() / double(span) * double(total - done);
     return seconds >= 90.0 ? printed(", about %.0f min left", seconds / 60.0) : printed(", about %.0f s left", seconds);
   }
 
@@ -60,15 +61,21 @@ void writeFiles(const Options& options, const TuneResult& result) {
 }
 
 TuneResult sweep(Session& session, const Options& options, Progress& progress) {
-  const TuneInput input{.gpu = session.gpu(), .frame = session.pipeline(), .scene = session.capture() ? nullptr : &session.scene(),
-                        .bounds = session.bounds(), .timeSeconds = session.frameTime(options.frame), .axes = options.tune.axes, .runs = options.tune.runs};
+  const TuneInput input{.gpu = session.gpu(),
+                        .frame = session.pipeline(),
+                        .scene = session.capture() ? nullptr : &session.scene(),
+                        .bounds = session.bounds(),
+                        .timeSeconds = session.frameTime(options.frame),
+                        .axes = options.tune.axes,
+                        .runs = options.tune.runs};
   Interrupt interrupt;
   TimeLeft left;
   progress.plan(tuneCount(input));
   progress.step("the own setting");
   return tune(input, [&](const TuneStep& step) {
-    const std::string last = step.last.measured() ? printed("%s: %s wrong", tuneTitle(step.last).c_str(), percentOf(step.last.wrong(), step.last.rays).c_str())
-                                                  : tuneTitle(step.last) + ": can't be tried";
+    const std::string last =
+        step.last.measured() ? printed("%s: %s wrong", tuneTitle(step.last).c_str(), percentOf(step.last.wrong(), step.last.rays).c_str())
+                             : tuneTitle(step.last) + ": can't be tried";
     progress.step(printed("%zu of %zu%s; %s", step.done, step.total, left.after(step.done, step.total).c_str(), last.c_str()));
     return !Interrupt::asked();
   });
@@ -97,11 +104,12 @@ int runTune(const Options& given) {
 
   std::FILE* out = textStream(options);
   const FrameSettings& settings = session.pipeline().settings();
-  std::fprintf(out, "%s on %s, %s; %s rays of %ux%u; %zu settings in %.0f s\n\n", session.scene().name.c_str(), session.deviceName().c_str(),
-               session.deviceReport().driver.c_str(), grouped(result.rows[0].rays).c_str(), settings.width, settings.height, result.rows.size(),
-               result.seconds);
+  std::fprintf(out, "%s on %s, %s; %s rays of %ux%u; %zu settings in %.0f s\n\n", session.scene().name.c_str(),
+               session.deviceName().c_str(), session.deviceReport().driver.c_str(), grouped(result.rows[0].rays).c_str(), settings.width,
+               settings.height, result.rows.size(), result.seconds);
   if (!session.builtBy().empty())
-    std::fprintf(out, "The grid of %s was built by %s; the own setting is the same shape, built here.\n\n", options.scene.c_str(), session.builtBy().c_str());
+    std::fprintf(out, "The grid of %s was built by %s; the own setting is the same shape, built here.\n\n", options.scene.c_str(),
+                 session.builtBy().c_str());
   printTune(out, result);
   if (result.stopped) std::fprintf(out, "stopped early: the sweep above is what was done until then\n");
   if (!result.fault.empty()) std::fprintf(stderr, "error: the sweep ended at %s\n", result.fault.c_str());

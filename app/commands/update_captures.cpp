@@ -1,14 +1,14 @@
 // gridscope update-captures: captures made anew after a wanted change. Inputs, gather and rays stay; grid, hits, counters and preview are made
 // again by this program and device. A foreign grid stays too, and a preview with diffuse maps, which captures do not hold.
-#include "app/session/capture_files.h"
-#include "app/report/capture_pictures.h"
-#include "app/commands/commands.h"
-#include "app/report/report.h"
-#include "app/report/diff.h"
 #include "app/base/text.h"
+#include "app/commands/commands.h"
+#include "app/report/capture_pictures.h"
+#include "app/report/diff.h"
+#include "app/report/report.h"
+#include "app/session/capture_files.h"
 #include "core/base/error.h"
-#include "core/pipeline/frame_capture.h"
 #include "core/checks/replay.h"
+#include "core/pipeline/frame_capture.h"
 
 namespace gridscope {
 
@@ -17,15 +17,22 @@ namespace {
 // Which products the frames hold.
 CaptureProducts heldProducts(const Capture& capture) {
   const CaptureFrame& first = capture.frames.front();
-  return {.grid = !first.grid.empty(), .gather = !first.gather.empty(), .rays = !first.rays.empty(), .hits = !first.hits.empty(),
-          .counters = !first.counters.empty(), .preview = !capture.preview.empty(), .exact = !first.exact.empty()};
+  return {.grid = !first.grid.empty(),
+          .gather = !first.gather.empty(),
+          .rays = !first.rays.empty(),
+          .hits = !first.hits.empty(),
+          .counters = !first.counters.empty(),
+          .preview = !capture.preview.empty(),
+          .exact = !first.exact.empty()};
 }
 
 // The frame's products as the pipeline makes them now.
 CaptureFrame remadeFrame(Pipeline& pipeline, const Capture& capture, size_t index) {
   const CaptureFrame& old = capture.frames[index];
-  if (builtHere(capture)) pipeline.update(frameInstances(capture, index));
-  else pipeline.useGrid(old.grid);
+  if (builtHere(capture))
+    pipeline.update(frameInstances(capture, index));
+  else
+    pipeline.useGrid(old.grid);
   const CaptureProducts held = heldProducts(capture);
   CaptureFrame frame = old;
   if (held.grid && builtHere(capture)) frame.grid = pipeline.grid().texels;
@@ -34,7 +41,9 @@ CaptureFrame remadeFrame(Pipeline& pipeline, const Capture& capture, size_t inde
   pipeline.trace(true);
   if (held.hits) frame.hits = pipeline.hits();
   if (held.counters) frame.counters = pipeline.counters();
-  if (held.exact) frame.exact = takeFrame(pipeline, {.grid = false, .gather = false, .rays = false, .hits = false, .counters = false, .exact = true}, 0.0f).exact;
+  if (held.exact)
+    frame.exact =
+        takeFrame(pipeline, {.grid = false, .gather = false, .rays = false, .hits = false, .counters = false, .exact = true}, 0.0f).exact;
   return frame;
 }
 

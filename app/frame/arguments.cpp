@@ -7,8 +7,8 @@
 
 #include <CLI/CLI.hpp>
 
-#include "app/session/capture_files.h"
 #include "app/base/text.h"
+#include "app/session/capture_files.h"
 #include "core/base/error.h"
 
 namespace gridscope {
@@ -52,8 +52,10 @@ std::string numbers(std::initializer_list<float> list) {
 // What a built-in scene may bring is said in any case.
 void sayGrid(Arguments& arguments, const GridSettings& grid) {
   const GridSettings usual;
-  if (grid.cellEdge > 0.0f) arguments.say("--cell-edge", grid.cellEdge);
-  else arguments.say("--cells", grid.cells);
+  if (grid.cellEdge > 0.0f)
+    arguments.say("--cell-edge", grid.cellEdge);
+  else
+    arguments.say("--cells", grid.cells);
   arguments.say("--capacity", grid.capacity);
   if (grid.bounds) {
     const auto& [low, high] = *grid.bounds;
@@ -89,10 +91,13 @@ std::vector<std::string> frameArguments(const FrameRequest& request) {
   Arguments arguments({request.source.scene});
   arguments.differing("--teapots", request.source.teapots, 0u);
   if (request.source.moving) arguments.say("--moving", *request.source.moving);
-  arguments.say("--camera", numbers({camera.eye.x, camera.eye.y, camera.eye.z, camera.target.x, camera.target.y, camera.target.z, camera.verticalFovDegrees}));
+  arguments.say("--camera", numbers({camera.eye.x, camera.eye.y, camera.eye.z, camera.target.x, camera.target.y, camera.target.z,
+                                     camera.verticalFovDegrees}));
   if (request.timeSeconds != 0.0) arguments.say("--time", printed("%.17g", request.timeSeconds));
-  if (request.source.rays.empty()) arguments.say("--size", printed("%ux%u", settings.width, settings.height));
-  else arguments.say("--rays", request.source.rays);
+  if (request.source.rays.empty())
+    arguments.say("--size", printed("%ux%u", settings.width, settings.height));
+  else
+    arguments.say("--rays", request.source.rays);
   arguments.differing("--texture-size", settings.textureSize, usual.textureSize);
   sayGrid(arguments, settings.grid);
   sayTrace(arguments, settings.trace);

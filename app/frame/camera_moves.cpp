@@ -6,12 +6,12 @@
 
 #include <glm/gtc/quaternion.hpp>
 
-#include "app/model/held_ray.h"
 #include "app/frame/table_rows.h"
+#include "app/model/held_ray.h"
 
 namespace gridscope {
 
-static constexpr float kSteepest = 1.5533f;   // radians: 89 degrees
+static constexpr float kSteepest = 1.5533f;  // radians: 89 degrees
 
 vec3 worldUp(const CameraState& camera) { return camera.zUp ? vec3(0, 0, 1) : vec3(0, 1, 0); }
 
@@ -46,7 +46,8 @@ void orbitAround(CameraState& camera, const vec3& pivot, float turn, float rise)
   pose.name.clear();
   const vec3 up = worldUp(camera), before = pose.target - pose.eye, after = turned(before, up, turn, rise);
   const auto height = [&](const vec3& way) { return std::asin(std::clamp(glm::dot(glm::normalize(way), up), -1.0f, 1.0f)); };
-  const glm::quat yaw = glm::angleAxis(turn, up), pitch = glm::angleAxis(height(after) - height(before), glm::normalize(glm::cross(yaw * before, up)));
+  const glm::quat yaw = glm::angleAxis(turn, up),
+                  pitch = glm::angleAxis(height(after) - height(before), glm::normalize(glm::cross(yaw * before, up)));
   pose.up = up;
   pose.eye = pivot - pitch * (yaw * (pivot - pose.eye));
   pose.target = pose.eye + after;
@@ -84,7 +85,8 @@ void focusCamera(CameraState& camera, const Bounds& bounds) {
 }
 
 bool inPicture(const CameraPose& pose, const FrameSettings& frame, const vec3& point) {
-  const vec3 forward = glm::normalize(pose.target - pose.eye), right = glm::normalize(glm::cross(forward, pose.up)), up = glm::cross(right, forward);
+  const vec3 forward = glm::normalize(pose.target - pose.eye), right = glm::normalize(glm::cross(forward, pose.up)),
+             up = glm::cross(right, forward);
   const vec3 way = point - pose.eye;
   const float depth = glm::dot(way, forward), tall = std::tan(0.5f * glm::radians(pose.verticalFovDegrees));
   const float wide = tall * float(frame.width) / float(std::max(1u, frame.height));
@@ -104,7 +106,7 @@ void lookAlong(CameraState& camera, int axis, bool positive) {
 }
 
 void lookAlongOrBack(CameraState& camera, int axis, bool positive) {
-  constexpr float kAlready = 0.999f;   // cosine: within 2.6 degrees
+  constexpr float kAlready = 0.999f;  // cosine: within 2.6 degrees
   const vec3 back = glm::normalize(camera.pose.eye - camera.pose.target);
   const bool already = back[axis] * (positive ? 1.0f : -1.0f) > kAlready;
   lookAlong(camera, axis, already != positive);
@@ -130,14 +132,16 @@ Bounds selectedBounds(const WindowModel& model) {
     case Selected::nothing: break;
     case Selected::pixel:
       if (rayIsHeld(model)) {
-        bounds.include(model.held->ray->ray.origin - vec3(grid.cellEdge)), bounds.include(model.held->ray->ray.origin + vec3(grid.cellEdge));
+        bounds.include(model.held->ray->ray.origin - vec3(grid.cellEdge)),
+            bounds.include(model.held->ray->ray.origin + vec3(grid.cellEdge));
       } else if (selected.pixel && frame.gather && *selected.pixel < frame.gather->size()) {
         const vec3 seen = (*frame.gather)[*selected.pixel].position;
         bounds.include(seen - vec3(grid.cellEdge)), bounds.include(seen + vec3(grid.cellEdge));
       }
       break;
     case Selected::step:
-      if (const auto ray = shownRay(model); ray && selected.step < ray->record.steps.size()) includeCell(ray->record.steps[selected.step].cell);
+      if (const auto ray = shownRay(model); ray && selected.step < ray->record.steps.size())
+        includeCell(ray->record.steps[selected.step].cell);
       break;
     case Selected::cell: includeCell(*selected.cell); break;
     case Selected::triangle: bounds = boundsOfTriangle(frame, *selected.reference); break;

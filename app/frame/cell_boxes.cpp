@@ -43,7 +43,8 @@ float boxTop(const BoxMeasure& measure, std::span<const BoxCell> occupied, int c
   return float(std::max(*at, 1u));
 }
 
-BoxChoice chooseBoxes(std::span<const BoxCell> occupied, const GridParameters& grid, const Overlays& overlays, const CameraParameters& camera, size_t most) {
+BoxChoice chooseBoxes(std::span<const BoxCell> occupied, const GridParameters& grid, const Overlays& overlays,
+                      const CameraParameters& camera, size_t most) {
   struct Candidate {
     float distance;
     uint32_t index;
@@ -63,8 +64,9 @@ BoxChoice chooseBoxes(std::span<const BoxCell> occupied, const GridParameters& g
   }
 
   const size_t kept = std::min(most, candidates.size());
-  std::partial_sort(candidates.begin(), candidates.begin() + kept, candidates.end(),
-                    [](const Candidate& a, const Candidate& b) { return a.distance != b.distance ? a.distance < b.distance : a.index < b.index; });
+  std::partial_sort(candidates.begin(), candidates.begin() + kept, candidates.end(), [](const Candidate& a, const Candidate& b) {
+    return a.distance != b.distance ? a.distance < b.distance : a.index < b.index;
+  });
   BoxChoice choice;
   choice.wanted = candidates.size();
   for (size_t i = 0; i < kept; ++i) choice.cells.push_back(occupied[candidates[i].index]);

@@ -20,7 +20,9 @@ bool sameGrid(const GridSettings& a, const GridSettings& b) {
 }
 
 bool sameTrace(const TraceSettings& a, const TraceSettings& b) {
-  auto values = [](const TraceSettings& s) { return std::make_tuple(s.traversal, s.back, s.ahead, s.tMin, s.gapFill, s.gate, s.maxSegments); };
+  auto values = [](const TraceSettings& s) {
+    return std::make_tuple(s.traversal, s.back, s.ahead, s.tMin, s.gapFill, s.gate, s.maxSegments);
+  };
   return values(a) == values(b);
 }
 
@@ -31,9 +33,8 @@ bool sameCamera(const CameraPose& a, const CameraPose& b) {
 }
 
 bool sameSettings(const FrameSettings& a, const FrameSettings& b) {
-  return sameGrid(a.grid, b.grid) && a.grid.numberBy == b.grid.numberBy && sameTrace(a.trace, b.trace) &&
-         sameBounce(a.bounce, b.bounce) && sameCamera(a.camera, b.camera) && a.width == b.width && a.height == b.height &&
-         a.textureSize == b.textureSize;
+  return sameGrid(a.grid, b.grid) && a.grid.numberBy == b.grid.numberBy && sameTrace(a.trace, b.trace) && sameBounce(a.bounce, b.bounce) &&
+         sameCamera(a.camera, b.camera) && a.width == b.width && a.height == b.height && a.textureSize == b.textureSize;
 }
 
 FrameChanges& FrameChanges::add(const FrameChanges& other) {

@@ -7,20 +7,20 @@ namespace gridscope {
 
 // What no longer holds. `after` it, everything below in this list that reads it does not hold either: see spread().
 struct FrameChanges {
-  bool source = false;                 // scene or capture
-  bool scene = false;                  // numbering: edits, order of the references, texture size
-  bool size = false;                   // of the frame
-  bool grid = false;                   // settings of the grid
+  bool source = false;  // scene or capture
+  bool scene = false;   // numbering: edits, order of the references, texture size
+  bool size = false;    // of the frame
+  bool grid = false;    // settings of the grid
   bool build = false;
   bool update = false;
   bool gather = false;
   bool bounce = false;
   bool trace = false;
-  bool slice = false;                  // the layer that the view `slice` shows
+  bool slice = false;  // the layer that the view `slice` shows
   bool operator==(const FrameChanges&) const = default;
 
   FrameChanges& add(const FrameChanges& other);
-  void spread();                       // what a change feeds changes too
+  void spread();  // what a change feeds changes too
   bool any() const { return *this != FrameChanges{}; }
 };
 

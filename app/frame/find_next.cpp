@@ -51,7 +51,8 @@ bool isRay(const FrameSnapshot& frame, uint32_t pixel) {
 
 }  // namespace
 
-std::optional<uint32_t> nextRay(const FrameSnapshot& frame, std::span<const uint32_t> order, std::optional<uint32_t> from, const RayWanted& wanted) {
+std::optional<uint32_t> nextRay(const FrameSnapshot& frame, std::span<const uint32_t> order, std::optional<uint32_t> from,
+                                const RayWanted& wanted) {
   if (wanted.asksForTruth() && !frame.truths) return std::nullopt;
   if (!from && order.empty()) from = middlePixel(frame);
   return RayWalk(frame, order, from).first(true, [&](uint32_t pixel) {
@@ -72,7 +73,8 @@ std::optional<uint32_t> nextVoxelWrong(const FrameSnapshot& frame, std::span<con
   return nextRay(frame, order, from, {.verdict = kVerdictVoxelWrong});
 }
 
-std::optional<uint32_t> neighbourRay(const FrameSnapshot& frame, std::span<const uint32_t> order, std::optional<uint32_t> from, int places) {
+std::optional<uint32_t> neighbourRay(const FrameSnapshot& frame, std::span<const uint32_t> order, std::optional<uint32_t> from,
+                                     int places) {
   std::optional<uint32_t> pixel = from;
   for (int step = 0; step < std::abs(places); ++step)
     pixel = RayWalk(frame, order, pixel).first(places > 0, [&](uint32_t candidate) { return isRay(frame, candidate); });

@@ -14,7 +14,7 @@ namespace gridscope {
 struct FullCell {
   ivec3 cell{0};
   uint32_t stored = 0;
-  uint32_t refused = 0;                // of a grid that only flags its full cells: 1; that has no reserved texels: 0
+  uint32_t refused = 0;  // of a grid that only flags its full cells: 1; that has no reserved texels: 0
   bool saturated = false;
   uint32_t tried() const { return stored + refused; }
 };

@@ -33,7 +33,7 @@ static std::vector<uint32_t> cellValues(const Grid& grid, bool refusedToo) {
   return values;
 }
 
-static std::vector<uint32_t> rayValues(const FrameSnapshot& frame, uint32_t RayCounters::* counter) {
+static std::vector<uint32_t> rayValues(const FrameSnapshot& frame, uint32_t RayCounters::*counter) {
   std::vector<uint32_t> values;
   if (!frame.hits || !frame.counters) return values;
   for (size_t ray = 0; ray < std::min(frame.hits->size(), frame.counters->size()); ++ray)

@@ -14,11 +14,11 @@ namespace gridscope {
 struct Histogram {
   uint32_t width = 1;
   std::vector<uint64_t> counts;
-  uint32_t largest = 0;                // value that occurs
+  uint32_t largest = 0;  // value that occurs
   uint64_t total = 0;
-  bool lastIsOpen = false;             // the last bar holds more than its width
+  bool lastIsOpen = false;  // the last bar holds more than its width
 
-  uint64_t most() const;               // the highest bar
+  uint64_t most() const;  // the highest bar
 };
 
 // As many bars as reach `reach`, or the largest value if that comes earlier, but at most `bars`.

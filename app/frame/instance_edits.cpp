@@ -12,8 +12,10 @@ const InstanceEdit* editOf(std::span<const InstanceEdit> edits, uint32_t sceneIn
 
 void setEdit(std::vector<InstanceEdit>& edits, const InstanceEdit& edit) {
   const auto found = std::ranges::find(edits, edit.sceneInstance, &InstanceEdit::sceneInstance);
-  if (found != edits.end()) *found = edit;
-  else edits.push_back(edit);
+  if (found != edits.end())
+    *found = edit;
+  else
+    edits.push_back(edit);
 }
 
 void dropEdit(std::vector<InstanceEdit>& edits, uint32_t sceneInstance) {

@@ -8,7 +8,8 @@ namespace gridscope {
 
 EyeRay eyeRay(const CameraParameters& camera, vec2 pixel) {
   const vec2 place = pixel / vec2(camera.width, camera.height) * 2.0f - 1.0f;
-  return {camera.eye, glm::normalize(camera.forward + camera.right * (place.x * camera.tanHalfWidth) - camera.up * (place.y * camera.tanHalfHeight))};
+  return {camera.eye,
+          glm::normalize(camera.forward + camera.right * (place.x * camera.tanHalfWidth) - camera.up * (place.y * camera.tanHalfHeight))};
 }
 
 // Slabs: Kay and Kajiya, Ray Tracing Complex Scenes, 1986.
@@ -19,7 +20,8 @@ std::optional<float> boxEntry(const EyeRay& ray, const Bounds& bounds) {
       if (ray.origin[axis] < bounds.low[axis] || ray.origin[axis] > bounds.high[axis]) return std::nullopt;
       continue;
     }
-    const float a = (bounds.low[axis] - ray.origin[axis]) / ray.direction[axis], b = (bounds.high[axis] - ray.origin[axis]) / ray.direction[axis];
+    const float a = (bounds.low[axis] - ray.origin[axis]) / ray.direction[axis],
+                b = (bounds.high[axis] - ray.origin[axis]) / ray.direction[axis];
     enter = std::max(enter, std::min(a, b));
     leave = std::min(leave, std::max(a, b));
   }

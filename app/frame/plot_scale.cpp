@@ -35,7 +35,8 @@ PlotScale scaleOfTens(double lowest, double highest) {
 
 std::string plotNumber(double value) {
   if (value == 0.0) return "0";
-  if (std::abs(value) >= 10.0 || value == std::round(value)) return (value < 0.0 ? "-" : "") + grouped(static_cast<uint64_t>(std::llround(std::abs(value))));
+  if (std::abs(value) >= 10.0 || value == std::round(value))
+    return (value < 0.0 ? "-" : "") + grouped(static_cast<uint64_t>(std::llround(std::abs(value))));
   return printed("%.3g", value);
 }
 

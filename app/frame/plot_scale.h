@@ -10,8 +10,8 @@ namespace gridscope {
 
 struct PlotScale {
   double low = 0.0;
-  double high = 1.0;                   // above low
-  bool logarithmic = false;            // then low > 0
+  double high = 1.0;         // above low
+  bool logarithmic = false;  // then low > 0
 
   double placeOf(double value) const;  // 0 at low, 1 at high; beyond them outside 0..1
   double valueAt(double place) const;

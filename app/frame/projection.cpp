@@ -83,7 +83,8 @@ std::optional<ProjectedLine> projectWhole(const CameraParameters& camera, const 
   return ProjectedLine{projectView(camera, viewSpace(camera, kept->a)), projectView(camera, viewSpace(camera, kept->b))};
 }
 
-std::vector<ProjectedLine> projectLine(const CameraParameters& camera, std::span<const GatherPixel> gather, const WorldLine& line, float bias) {
+std::vector<ProjectedLine> projectLine(const CameraParameters& camera, std::span<const GatherPixel> gather, const WorldLine& line,
+                                       float bias) {
   std::vector<ProjectedLine> pieces;
   const std::optional<ProjectedLine> whole = projectWhole(camera, line);
   if (!whole) return pieces;
@@ -102,8 +103,10 @@ std::vector<ProjectedLine> projectLine(const CameraParameters& camera, std::span
     };
     const bool hidden = hiddenAt(camera, gather, at(middle), bias);
     const ProjectedPoint next = look + 1 == looks ? whole->b : at(end);
-    if (!pieces.empty() && pieces.back().hidden == hidden) pieces.back().b = next;
-    else pieces.push_back({last, next, hidden});
+    if (!pieces.empty() && pieces.back().hidden == hidden)
+      pieces.back().b = next;
+    else
+      pieces.push_back({last, next, hidden});
     last = next;
   }
   return pieces;

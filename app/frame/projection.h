@@ -13,13 +13,13 @@
 namespace gridscope {
 
 struct ProjectedPoint {
-  vec2 pixel{0.0f};                    // of the frame; (0, 0) is the upper left corner of the first pixel
-  float depth = 0.0f;                  // distance from the eye, world units: what GatherPixel::depth holds
+  vec2 pixel{0.0f};    // of the frame; (0, 0) is the upper left corner of the first pixel
+  float depth = 0.0f;  // distance from the eye, world units: what GatherPixel::depth holds
 };
 
 struct ProjectedLine {
   ProjectedPoint a, b;
-  bool hidden = false;                 // behind the surfaces that the gather buffer saw
+  bool hidden = false;  // behind the surfaces that the gather buffer saw
 };
 
 // Nothing for a point before the near plane.
@@ -34,7 +34,8 @@ std::optional<WorldLine> clipToBounds(const Bounds& bounds, WorldLine line);
 
 // A line in pieces that are visible or hidden throughout, from a to b. `bias`: how far behind a surface still counts as visible, world units.
 // An empty gather hides nothing.
-std::vector<ProjectedLine> projectLine(const CameraParameters& camera, std::span<const GatherPixel> gather, const WorldLine& line, float bias);
+std::vector<ProjectedLine> projectLine(const CameraParameters& camera, std::span<const GatherPixel> gather, const WorldLine& line,
+                                       float bias);
 
 // The same in one piece, without looking at the gather buffer.
 std::optional<ProjectedLine> projectWhole(const CameraParameters& camera, const WorldLine& line);

@@ -14,7 +14,8 @@ namespace {
 // Does the cell of a step hold references? A revisited one was looked into by the last step that was not a revisit.
 bool cellHoldsReferences(const RayRecord& record, uint32_t step) {
   for (uint32_t i = step + 1; i-- > 0;)
-    if (record.steps[i].outcome != kStepRevisit) return record.steps[i].outcome == kStepRead && record.steps[i].cell == record.steps[step].cell;
+    if (record.steps[i].outcome != kStepRevisit)
+      return record.steps[i].outcome == kStepRead && record.steps[i].cell == record.steps[step].cell;
   return false;
 }
 
@@ -42,18 +43,18 @@ std::optional<uint32_t> nextStep(const RayRecord& record, uint32_t from, StepSea
 const char* noSuchStep(StepSearch search, int direction) {
   const bool later = direction > 0;
   switch (search) {
-    case StepSearch::nonEmpty: return later ? "No later step starts in a cell that holds references" : "No earlier step starts in a cell that holds references";
+    case StepSearch::nonEmpty:
+      return later ? "No later step starts in a cell that holds references" : "No earlier step starts in a cell that holds references";
     case StepSearch::tested: return later ? "No later step tests a triangle" : "No earlier step tests a triangle";
     case StepSearch::saturated: return later ? "No later step reads a saturated cell" : "No earlier step reads a saturated cell";
-    case StepSearch::revisit: return later ? "No later step starts in the cell visited last" : "No earlier step starts in the cell visited last";
+    case StepSearch::revisit:
+      return later ? "No later step starts in the cell visited last" : "No earlier step starts in the cell visited last";
     case StepSearch::voxelHit: return "The ray does not end behind here with a voxel hit";
   }
   return "";
 }
 
-const RecordedRay* shownRecord(const WindowModel& model) {
-  return shownRay(model).get();
-}
+const RecordedRay* shownRecord(const WindowModel& model) { return shownRay(model).get(); }
 
 std::optional<uint32_t> shownStep(const WindowModel& model) {
   const RecordedRay* ray = shownRecord(model);
@@ -81,8 +82,10 @@ void stepLast(WindowModel& model) { selectStepAt(model, UINT32_MAX); }
 bool stepToNext(WindowModel& model, StepSearch search, int direction) {
   const auto from = shownStep(model);
   const auto found = from ? nextStep(shownRecord(model)->record, *from, search, direction) : std::nullopt;
-  if (found) selectStepAt(model, *found);
-  else if (from) model.showMessage(noSuchStep(search, direction));
+  if (found)
+    selectStepAt(model, *found);
+  else if (from)
+    model.showMessage(noSuchStep(search, direction));
   return found.has_value();
 }
 
@@ -109,13 +112,13 @@ void advancePlay(WindowModel& model, double& due) {
   const double pause = 1.0 / std::max(model.stepsPerSecond, 0.1f);
   if (due == 0.0) due = model.now + pause;
   if (model.now < due) return;
-  due = std::max(due + pause, model.now);   // a slow frame is not made up for by skipping steps
+  due = std::max(due + pause, model.now);  // a slow frame is not made up for by skipping steps
   stepForward(model);
   if (*step + 2 >= shownRecord(model)->record.steps.size()) model.stepsPlaying = false;
 }
 
 void followStep(WindowModel& model) {
-  static std::optional<std::pair<uint32_t, uint32_t>> followed;   // pixel and step
+  static std::optional<std::pair<uint32_t, uint32_t>> followed;  // pixel and step
   const std::optional<uint32_t> step = shownStep(model);
   if (!model.followStep || !step) {
     followed.reset();

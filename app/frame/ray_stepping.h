@@ -10,11 +10,11 @@ namespace gridscope {
 
 // What "run to the next" looks for.
 enum class StepSearch {
-  nonEmpty,    // the segment starts in a cell that holds references; read, or skipped as the cell visited last
-  tested,      // references were tested
-  saturated,   // the cell refused references
-  revisit,     // the segment starts in the cell visited last
-  voxelHit     // the ray ends there with a voxel hit
+  nonEmpty,   // the segment starts in a cell that holds references; read, or skipped as the cell visited last
+  tested,     // references were tested
+  saturated,  // the cell refused references
+  revisit,    // the segment starts in the cell visited last
+  voxelHit    // the ray ends there with a voxel hit
 };
 
 // The first such step after `from` (direction 1) or before it (-1); nothing: there is none.
@@ -35,7 +35,7 @@ void stepBack(WindowModel& model);
 void stepFirst(WindowModel& model);
 void stepLast(WindowModel& model);
 bool stepToNext(WindowModel& model, StepSearch search, int direction = 1);  // true: there was one; else a message says that there is none
-void selectStepAt(WindowModel& model, uint32_t step);                        // the last one when there are fewer
+void selectStepAt(WindowModel& model, uint32_t step);                       // the last one when there are fewer
 
 // Selects the next (1) or previous (-1) ray in the order of the rays table, and shows its steps.
 void nextRay(WindowModel& model, int direction);

@@ -1,8 +1,8 @@
 // See read_out.h.
 #include "app/frame/read_out.h"
 
-#include "app/frame/find_next.h"
 #include "app/base/text.h"
+#include "app/frame/find_next.h"
 #include "app/frame/view_paint.h"
 
 namespace gridscope {

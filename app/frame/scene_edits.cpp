@@ -50,9 +50,9 @@ std::vector<InstanceEdit> editsWithin(std::span<const InstanceEdit> edits, size_
 }
 
 bool differInOffsetsAlone(std::span<const InstanceEdit> before, std::span<const InstanceEdit> after) {
-  return before.size() == after.size() && std::equal(before.begin(), before.end(), after.begin(), [](const InstanceEdit& a, const InstanceEdit& b) {
-           return a.sceneInstance == b.sceneInstance && a.kind == b.kind;
-         });
+  return before.size() == after.size() &&
+         std::equal(before.begin(), before.end(), after.begin(),
+                    [](const InstanceEdit& a, const InstanceEdit& b) { return a.sceneInstance == b.sceneInstance && a.kind == b.kind; });
 }
 
 }  // namespace gridscope

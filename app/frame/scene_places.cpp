@@ -46,8 +46,10 @@ TriangleCells cellsOfTriangle(const FrameSnapshot& frame, uint32_t reference) {
   for (uint32_t i = 0; i < count; ++i) {
     const ivec3 cell = cellRangeCell(range, i);
     const std::vector<uint32_t> stored = storedIn(*frame.grid, cell);
-    if (std::find(stored.begin(), stored.end(), reference) != stored.end()) cells.stored.push_back(cell);
-    else if (frame.demand && frame.demand->wants(cell, reference)) cells.refused.push_back(cell);
+    if (std::find(stored.begin(), stored.end(), reference) != stored.end())
+      cells.stored.push_back(cell);
+    else if (frame.demand && frame.demand->wants(cell, reference))
+      cells.refused.push_back(cell);
   }
   return cells;
 }

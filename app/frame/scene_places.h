@@ -10,10 +10,10 @@
 namespace gridscope {
 
 struct CellContents {
-  std::vector<uint32_t> stored;        // references in slot order
-  std::vector<uint32_t> refused;       // rising; empty when not known
-  bool refusedKnown = false;           // the demand is there
-  uint32_t refusedCount = 0;           // as the grid counts; 1 where it only flags
+  std::vector<uint32_t> stored;                    // references in slot order
+  std::vector<uint32_t> refused;                   // rising; empty when not known
+  bool refusedKnown = false;                       // the demand is there
+  uint32_t refusedCount = 0;                       // as the grid counts; 1 where it only flags
   uint32_t staticRefused = 0, dynamicRefused = 0;  // of a grid with two reserved texels
   bool saturated = false;
 };
@@ -22,7 +22,7 @@ CellContents cellContents(const FrameSnapshot& frame, const ivec3& cell);
 // Cells of a triangle, x fastest.
 struct TriangleCells {
   std::vector<ivec3> stored;
-  std::vector<ivec3> refused;          // empty when not known
+  std::vector<ivec3> refused;  // empty when not known
   bool refusedKnown = false;
 };
 TriangleCells cellsOfTriangle(const FrameSnapshot& frame, uint32_t reference);

@@ -21,8 +21,10 @@ std::vector<std::string> wordsOf(const std::string& text) {
   std::vector<std::string> words(1);
   for (const char letter : text) {
     const bool gap = std::isspace(static_cast<unsigned char>(letter)) || letter == ',' || letter == '(' || letter == ')';
-    if (!gap) words.back() += letter;
-    else if (!words.back().empty()) words.emplace_back();
+    if (!gap)
+      words.back() += letter;
+    else if (!words.back().empty())
+      words.emplace_back();
   }
   if (words.back().empty()) words.pop_back();
   return words;
@@ -64,7 +66,8 @@ bool holds(const std::vector<std::string>& names, size_t index, const std::strin
 std::optional<SearchTarget> instanceNamed(const FrameSnapshot& frame, const std::string& text) {
   const SceneFacts& scene = *frame.scene;
   for (uint32_t instance = 0; instance < scene.names.instances.size(); ++instance)
-    if (holds(scene.names.instances, instance, text) || holds(scene.meshOfInstance, instance, text)) return SearchTarget{.instance = instance};
+    if (holds(scene.names.instances, instance, text) || holds(scene.meshOfInstance, instance, text))
+      return SearchTarget{.instance = instance};
   return std::nullopt;
 }
 
@@ -79,8 +82,8 @@ std::string joinedFrom(const std::vector<std::string>& words, size_t first, size
 std::optional<SearchTarget> findTarget(const FrameSnapshot& frame, const std::string& text) {
   std::vector<std::string> words = wordsOf(lowered(text));
   if (words.empty() || !frame.scene || !frame.request.settings) return std::nullopt;
-  const bool noun = words.size() > 1 && (words[0] == "pixel" || words[0] == "cell" || words[0] == "triangle" || words[0] == "instance" || words[0] == "mesh" ||
-                                         words[0] == "reference");
+  const bool noun = words.size() > 1 && (words[0] == "pixel" || words[0] == "cell" || words[0] == "triangle" || words[0] == "instance" ||
+                                         words[0] == "mesh" || words[0] == "reference");
   const size_t first = noun ? 1 : 0;
 
   std::vector<uint32_t> numbers;

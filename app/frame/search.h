@@ -12,8 +12,8 @@ namespace gridscope {
 struct SearchTarget {
   std::optional<uint32_t> pixel;
   std::optional<ivec3> cell;
-  std::optional<uint32_t> reference;   // triangle
-  std::optional<uint32_t> instance;    // of the scene
+  std::optional<uint32_t> reference;  // triangle
+  std::optional<uint32_t> instance;   // of the scene
 };
 
 // Two numbers are a pixel, three a cell, whatever stands before them; a hexadecimal number is a reference; a mesh's name with a number behind

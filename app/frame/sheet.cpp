@@ -25,7 +25,8 @@ static std::string placeText(const SheetColumn& column, size_t row, const char* 
   const uint64_t number = static_cast<uint64_t>(column.values[row]);
   const uint64_t x = number % uint64_t(column.extent.x), rest = number / uint64_t(column.extent.x);
   if (column.extent.z == 0) return std::to_string(x) + separator + std::to_string(rest);
-  return std::to_string(x) + separator + std::to_string(rest % uint64_t(column.extent.y)) + separator + std::to_string(rest / uint64_t(column.extent.y));
+  return std::to_string(x) + separator + std::to_string(rest % uint64_t(column.extent.y)) + separator +
+         std::to_string(rest / uint64_t(column.extent.y));
 }
 
 static bool isKnown(const SheetColumn& column, size_t row) { return column.known && !std::isnan(column.values[row]); }
@@ -64,10 +65,10 @@ enum class Comparison { holds, equals, above, below, notAbove, notBelow };
 
 // One term of a search, made ready for the columns of a sheet.
 struct Term {
-  std::string text;                          // small letters, places without spaces
+  std::string text;  // small letters, places without spaces
   std::optional<size_t> column;
   Comparison comparison = Comparison::holds;
-  double number = NAN;                       // of all comparisons but `holds`
+  double number = NAN;  // of all comparisons but `holds`
 };
 
 // Spaces behind a comma go, so that "72, 4, 47" is one term.
@@ -159,7 +160,8 @@ class ColumnMatch {
     if (!isKnown(column_, row)) return false;
     const double value = column_.values[row];
     if (term_.comparison != Comparison::holds) return compares(value);
-    if (column_.kind == ColumnKind::reference) return hexadecimal_ && lowered(sheetText(column_, row)).find(term_.text) != std::string::npos;
+    if (column_.kind == ColumnKind::reference)
+      return hexadecimal_ && lowered(sheetText(column_, row)).find(term_.text) != std::string::npos;
     if (column_.kind == ColumnKind::word) return wordMatches_[static_cast<size_t>(value)];
     if (!numeric_) return false;
     if (column_.kind == ColumnKind::place) {
@@ -181,7 +183,8 @@ class ColumnMatch {
       case Comparison::below: return value < term_.number;
       case Comparison::notAbove: return value <= term_.number;
       case Comparison::notBelow: return value >= term_.number;
-      default: return column_.kind == ColumnKind::whole ? value == term_.number : std::abs(value - term_.number) < 5e-4 + 1e-6 * std::abs(value);
+      default:
+        return column_.kind == ColumnKind::whole ? value == term_.number : std::abs(value - term_.number) < 5e-4 + 1e-6 * std::abs(value);
     }
   }
 
@@ -196,7 +199,9 @@ void keepMatching(const Sheet& sheet, const Term& term, std::vector<uint32_t>& r
   std::vector<ColumnMatch> matches;
   for (size_t column = 0; column < sheet.columns.size(); ++column)
     if (!term.column || *term.column == column) matches.emplace_back(sheet.columns[column], term);
-  std::erase_if(rows, [&](uint32_t row) { return std::none_of(matches.begin(), matches.end(), [&](const ColumnMatch& match) { return match.at(row); }); });
+  std::erase_if(rows, [&](uint32_t row) {
+    return std::none_of(matches.begin(), matches.end(), [&](const ColumnMatch& match) { return match.at(row); });
+  });
 }
 
 // What a column's rows are sorted by: words by the alphabet.
@@ -204,7 +209,8 @@ std::vector<double> sortKeys(const SheetColumn& column) {
   if (column.kind != ColumnKind::word) return column.values;
   std::vector<size_t> byAlphabet(column.words.size());
   std::iota(byAlphabet.begin(), byAlphabet.end(), size_t{0});
-  std::stable_sort(byAlphabet.begin(), byAlphabet.end(), [&](size_t a, size_t b) { return lowered(column.words[a]) < lowered(column.words[b]); });
+  std::stable_sort(byAlphabet.begin(), byAlphabet.end(),
+                   [&](size_t a, size_t b) { return lowered(column.words[a]) < lowered(column.words[b]); });
   std::vector<double> rank(column.words.size());
   for (size_t at = 0; at < byAlphabet.size(); ++at) {
     const bool same = at > 0 && lowered(column.words[byAlphabet[at]]) == lowered(column.words[byAlphabet[at - 1]]);
@@ -247,7 +253,8 @@ std::string sheetCsv(const Sheet& sheet, std::span<const uint32_t> rows) {
   const auto endField = [&](size_t column) { text += column + 1 < sheet.columns.size() ? "," : "\r\n"; };
   for (size_t column = 0; column < sheet.columns.size(); ++column) text += csvField(sheet.columns[column].title), endField(column);
   for (const uint32_t row : rows)
-    for (size_t column = 0; column < sheet.columns.size(); ++column) text += csvField(sheetPlainText(sheet.columns[column], row)), endField(column);
+    for (size_t column = 0; column < sheet.columns.size(); ++column)
+      text += csvField(sheetPlainText(sheet.columns[column], row)), endField(column);
   return text;
 }
 

@@ -16,29 +16,29 @@ namespace gridscope {
 using glm::ivec3;
 
 enum class ColumnKind {
-  whole,                               // 1,234
-  decimal,                             // 1.234
-  percent,                             // 12.3 %
-  reference,                           // 0x00000C22
-  word,                                // of a list of words
-  place,                               // 72, 4, 47 of a cell, 214, 192 of a pixel
+  whole,      // 1,234
+  decimal,    // 1.234
+  percent,    // 12.3 %
+  reference,  // 0x00000C22
+  word,       // of a list of words
+  place,      // 72, 4, 47 of a cell, 214, 192 of a pixel
 };
 
 struct SheetColumn {
-  std::string title;                   // "refused"; one word or two, small letters
-  std::string about;                   // one sentence: what is counted
+  std::string title;  // "refused"; one word or two, small letters
+  std::string about;  // one sentence: what is counted
   ColumnKind kind = ColumnKind::whole;
-  std::vector<double> values;          // one a row: the number, of the word in `words`, or of the place (x fastest); NaN: not known
-  std::vector<std::string> words;      // of ColumnKind::word
-  ivec3 extent{0};                     // of ColumnKind::place: the grid's or frame's size; z 0: a pixel
-  bool known = true;                   // false: nobody has worked out these values yet, all rows show a dash
+  std::vector<double> values;      // one a row: the number, of the word in `words`, or of the place (x fastest); NaN: not known
+  std::vector<std::string> words;  // of ColumnKind::word
+  ivec3 extent{0};                 // of ColumnKind::place: the grid's or frame's size; z 0: a pixel
+  bool known = true;               // false: nobody has worked out these values yet, all rows show a dash
 };
 
 struct Sheet {
-  std::string name;                    // of CSV files: "cells"
+  std::string name;  // of CSV files: "cells"
   std::vector<SheetColumn> columns;
-  std::vector<uint32_t> ids;           // one a row: what the row names
-  std::vector<uint8_t> inArea;         // one a row: 1 where the area's rays led; empty: no area filters
+  std::vector<uint32_t> ids;    // one a row: what the row names
+  std::vector<uint8_t> inArea;  // one a row: 1 where the area's rays led; empty: no area filters
   size_t rowCount() const { return ids.size(); }
 };
 
@@ -57,7 +57,7 @@ struct SheetOrder {
 // Rows that pass the area and the search, in order. What is not known comes last either way; equal rows keep the sheet's order.
 struct SheetRows {
   std::vector<uint32_t> rows;
-  size_t inArea = 0;                   // rows that the area left, before the search
+  size_t inArea = 0;  // rows that the area left, before the search
 };
 
 // `search`: terms with a space between them; a row must hold all of them, in small or capital letters.

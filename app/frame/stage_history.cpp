@@ -31,7 +31,8 @@ std::string settingsChange(const FrameSettings& before, const FrameSettings& aft
   changes.choice(before.grid.overlap != after.grid.overlap, after.grid.overlap == kOverlapExact ? "overlap exact" : "overlap plane");
   changes.choice(before.grid.insertion != after.grid.insertion, after.grid.insertion == kInsertionSorted ? "sorted" : "first come");
   changes.choice(before.grid.builder != after.grid.builder, after.grid.builder == Builder::compute ? "builder compute" : "builder raster");
-  changes.choice(before.grid.numberBy != after.grid.numberBy, after.grid.numberBy == NumberBy::area ? "numbered by area" : "numbered by file");
+  changes.choice(before.grid.numberBy != after.grid.numberBy,
+                 after.grid.numberBy == NumberBy::area ? "numbered by area" : "numbered by file");
   changes.choice(before.grid.update != after.grid.update, after.grid.update == UpdateMode::all ? "update all" : "update moved");
   changes.choice(before.trace.traversal != after.trace.traversal, after.trace.traversal == kTraversalDda ? "dda" : "segments");
   changes.number("ahead", before.trace.ahead, after.trace.ahead);

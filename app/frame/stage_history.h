@@ -12,7 +12,7 @@ namespace gridscope {
 
 struct StageMoment {
   StageTimes times;
-  std::string change;                  // of the settings since the frame before: "capacity 24 to 48"; empty: none
+  std::string change;  // of the settings since the frame before: "capacity 24 to 48"; empty: none
 };
 
 class StageHistory {
@@ -26,7 +26,7 @@ class StageHistory {
 
  private:
   std::deque<StageMoment> moments_;
-  uint64_t traceNumber_ = 0;           // of the last snapshot that was kept
+  uint64_t traceNumber_ = 0;  // of the last snapshot that was kept
   std::optional<FrameSettings> settings_;
 };
 

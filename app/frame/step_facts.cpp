@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "app/frame/find_next.h"
 #include "app/base/text.h"
+#include "app/frame/find_next.h"
 #include "core/trace/loads.h"
 #include "core/truth/cause.h"
 
@@ -77,7 +77,11 @@ RefusedFacts testRefused(FrameTrace& trace, const StepFacts& facts, const Ray& r
   const Triangle triangle = trace.loadReferenced(reference);
   const TriangleTest result = testTriangle(ray, triangle, facts.window.x, facts.window.y);
   RefusedFacts refused;
-  refused.test = {.slot = static_cast<uint32_t>(facts.refusedTests.size()), .reference = reference, .verdict = result.verdict, .t = result.t, .alphaByte = 256};
+  refused.test = {.slot = static_cast<uint32_t>(facts.refusedTests.size()),
+                  .reference = reference,
+                  .verdict = result.verdict,
+                  .t = result.t,
+                  .alphaByte = 256};
   const bool nearer = !facts.best || result.t < facts.best->t;
   if (result.verdict == kTestHit && !nearer) refused.test.verdict = kTestFarther;
   if (refused.test.verdict == kTestHit && !trace.alphaPasses(reference, triangle, rayPoint(ray, result.t), refused.test.alphaByte))
@@ -148,7 +152,8 @@ StepFacts stepFacts(const FrameSnapshot& frame, const RecordedRay& ray, uint32_t
   }
   facts.travel = stepTravel(frame, ray, step);
   facts.gate = frame.parameters.trace.gate / grid.cellEdge;
-  facts.gateOpen = frame.parameters.trace.gapFill != 0 && at.start * dotExact(ray.ray.direction, ray.ray.launchNormal) > frame.parameters.trace.gate;
+  facts.gateOpen =
+      frame.parameters.trace.gapFill != 0 && at.start * dotExact(ray.ray.direction, ray.ray.launchNormal) > frame.parameters.trace.gate;
   facts.best = bestAfter(ray.record, step);
 
   addTests(facts, trace, frame, ray);

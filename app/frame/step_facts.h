@@ -16,22 +16,22 @@ struct TestFacts {
   TestRecord test{};
   TriangleName name{};
   vec2 weights{0.0f};
-  bool isNew = false;                  // not tested at the step before
-  bool best = false;                   // the best hit when the step was done
+  bool isNew = false;  // not tested at the step before
+  bool best = false;   // the best hit when the step was done
 };
 
 // A reference that the step's cell refused, tested as if it had been there.
 struct RefusedFacts {
-  TestRecord test{};                   // slot: its place in the list
+  TestRecord test{};  // slot: its place in the list
   TriangleName name{};
   vec2 weights{0.0f};
-  bool wouldHit = false;               // within this step's window, alpha keying included
+  bool wouldHit = false;  // within this step's window, alpha keying included
 };
 
 struct BestHit {
   float t = 0.0f;
   uint32_t reference = kBlank;
-  uint32_t step = 0;                   // that found it
+  uint32_t step = 0;  // that found it
 };
 
 // Values that differ from the step before.
@@ -40,24 +40,24 @@ struct StepChanges {
 };
 
 struct StepFacts {
-  uint32_t index = 0;                  // in the record
+  uint32_t index = 0;  // in the record
   StepOutcome kind = StepOutcome::empty;
-  vec3 start{0.0f}, end{0.0f};         // world
-  float startT = 0.0f, endT = 0.0f;    // along the ray, world units
-  vec2 window{0.0f};                   // hits counted from the first to the second t; the second is kFar for dda
+  vec3 start{0.0f}, end{0.0f};       // world
+  float startT = 0.0f, endT = 0.0f;  // along the ray, world units
+  vec2 window{0.0f};                 // hits counted from the first to the second t; the second is kFar for dda
   ivec3 cell{0};
   bool inGrid = true;
-  uint32_t stored = 0, refused = 0;    // of the cell; refused is 1 where a grid only flags full cells
+  uint32_t stored = 0, refused = 0;  // of the cell; refused is 1 where a grid only flags full cells
   bool saturated = false;
-  float travel = 0.0f, gate = 0.0f;    // distance from the launch plane, and what it must exceed; cell edges
-  bool gateOpen = false;               // travel is above the gate, and gap-filling is on
-  std::optional<BestHit> best;         // so far
-  std::vector<TestFacts> tests;        // in slot order
+  float travel = 0.0f, gate = 0.0f;  // distance from the launch plane, and what it must exceed; cell edges
+  bool gateOpen = false;             // travel is above the gate, and gap-filling is on
+  std::optional<BestHit> best;       // so far
+  std::vector<TestFacts> tests;      // in slot order
   std::vector<RefusedFacts> refusedTests;
-  bool refusedKnown = false;           // the demand is there
+  bool refusedKnown = false;  // the demand is there
   StepChanges changes;
-  std::string read;                    // why its cell was or was not read, one sentence
-  std::string went;                    // why the ray went on or stopped, one sentence
+  std::string read;  // why its cell was or was not read, one sentence
+  std::string went;  // why the ray went on or stopped, one sentence
 };
 
 // `step`: an index into the record's steps. The frame must hold grid, triangles and scene.

@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/frame/step_facts.h"
 #include "app/base/text.h"
+#include "app/frame/step_facts.h"
 #include "shaders/shared/views/palette.h"
 
 namespace gridscope {
@@ -54,8 +54,11 @@ std::string exactWords(const FrameSnapshot& frame, const RecordedRay& ray) {
 
 void explainSaturated(Sentence& sentence, const FrameSnapshot& frame, const StepFacts& facts) {
   sentence.push_back(words(" is saturated"));
-  if (frame.parameters.grid.reserved == 2) sentence.push_back(words(printed(": %s tried, %s stored", counted(facts.stored + facts.refused, "reference", "references").c_str(), grouped(facts.stored).c_str())));
-  const auto wouldHit = std::find_if(facts.refusedTests.begin(), facts.refusedTests.end(), [](const RefusedFacts& refused) { return refused.wouldHit; });
+  if (frame.parameters.grid.reserved == 2)
+    sentence.push_back(words(printed(": %s tried, %s stored", counted(facts.stored + facts.refused, "reference", "references").c_str(),
+                                     grouped(facts.stored).c_str())));
+  const auto wouldHit =
+      std::find_if(facts.refusedTests.begin(), facts.refusedTests.end(), [](const RefusedFacts& refused) { return refused.wouldHit; });
   if (wouldHit != facts.refusedTests.end()) {
     sentence.push_back(words("; "));
     addTriangle(sentence, frame, wouldHit->test.reference);
@@ -73,8 +76,9 @@ std::string meshName(const SceneFacts& scene, uint32_t mesh) {
 }
 
 std::string instanceName(const SceneFacts& scene, uint32_t sceneInstance) {
-  return sceneInstance < scene.names.instances.size() && !scene.names.instances[sceneInstance].empty() ? scene.names.instances[sceneInstance]
-                                                                                                     : printed("instance %u", sceneInstance);
+  return sceneInstance < scene.names.instances.size() && !scene.names.instances[sceneInstance].empty()
+             ? scene.names.instances[sceneInstance]
+             : printed("instance %u", sceneInstance);
 }
 
 std::string hitWords(const Hit& hit) {
@@ -89,10 +93,14 @@ std::string hitWords(const Hit& hit) {
 
 std::string whyRead(const RecordedRay& ray, const StepFacts& facts) {
   switch (facts.kind) {
-    case StepOutcome::outside: return isLast(ray, facts) ? "Not read: it starts outside the grid." : "Not read: it starts before the ray enters the grid.";
+    case StepOutcome::outside:
+      return isLast(ray, facts) ? "Not read: it starts outside the grid." : "Not read: it starts before the ray enters the grid.";
     case StepOutcome::revisit: return "Not read: the same cell as the one visited last.";
     case StepOutcome::empty: return "Read once: its first slot is blank, there is nothing to test.";
-    default: return printed("Read: its first slot is in use, %s.", facts.tests.size() == 1 ? "one reference was tested" : printed("all %zu references were tested", facts.tests.size()).c_str());
+    default:
+      return printed("Read: its first slot is in use, %s.", facts.tests.size() == 1
+                                                                ? "one reference was tested"
+                                                                : printed("all %zu references were tested", facts.tests.size()).c_str());
   }
 }
 
@@ -102,8 +110,11 @@ std::string whyWent(const FrameSnapshot& frame, const RecordedRay& ray, const St
     case StepOutcome::hit:
       return last ? printed("Stopped: the nearest hit of the cell, at t %.4g, is the ray's.", facts.best->t)
                   : "Went on: the hit lies behind this cell, a nearer one may follow.";
-    case StepOutcome::voxelHit: return printed("Stopped: no triangle hit in a saturated cell and the gate is open, so the gap is filled at t %.4g.", ray.record.hit.t);
-    case StepOutcome::held: return (last ? "Stopped: " + endWords(ray) + " Before that, " : "Went on without a hit: ") + heldWords(frame, facts) + ".";
+    case StepOutcome::voxelHit:
+      return printed("Stopped: no triangle hit in a saturated cell and the gate is open, so the gap is filled at t %.4g.",
+                     ray.record.hit.t);
+    case StepOutcome::held:
+      return (last ? "Stopped: " + endWords(ray) + " Before that, " : "Went on without a hit: ") + heldWords(frame, facts) + ".";
     default: break;
   }
   if (last) return "Stopped: " + endWords(ray);
@@ -126,8 +137,9 @@ Sentence explainStep(const FrameSnapshot& frame, const RecordedRay& ray, const S
     case StepOutcome::revisit: sentence.push_back(words(" is the one visited last, so it is not read again.")); break;
     case StepOutcome::empty: sentence.push_back(words("'s first slot is blank: one read, and the ray goes on.")); break;
     case StepOutcome::tested:
-      sentence.push_back(words(printed(" holds %s; the ray hits none within t %.4g to %.4g", counted(facts.stored, "reference", "references").c_str(),
-                                       facts.window.x, std::min(facts.window.y, 1e9f))));
+      sentence.push_back(
+          words(printed(" holds %s; the ray hits none within t %.4g to %.4g", counted(facts.stored, "reference", "references").c_str(),
+                        facts.window.x, std::min(facts.window.y, 1e9f))));
       sentence.push_back(words(facts.saturated ? ", and a hit is known already." : ", and the cell refused nothing."));
       break;
     case StepOutcome::held:
@@ -139,13 +151,12 @@ Sentence explainStep(const FrameSnapshot& frame, const RecordedRay& ray, const S
       addTriangle(sentence, frame, facts.best->reference);
       sentence.push_back(words(printed(", hit at t %.4g.", facts.best->t)));
       break;
-    default:
-      explainSaturated(sentence, frame, facts);
-      sentence.push_back(words("."));
+    default: explainSaturated(sentence, frame, facts); sentence.push_back(words("."));
   }
   if (isLast(ray, facts)) {
     const bool ends = facts.kind == StepOutcome::hit || facts.kind == StepOutcome::voxelHit;
-    sentence.push_back(words(ends ? exactWords(frame, ray) : " " + endWords(ray) + (ray.record.hit.kind == kHitTriangle ? exactWords(frame, ray) : "")));
+    sentence.push_back(
+        words(ends ? exactWords(frame, ray) : " " + endWords(ray) + (ray.record.hit.kind == kHitTriangle ? exactWords(frame, ray) : "")));
   }
   return sentence;
 }

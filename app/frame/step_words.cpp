@@ -25,12 +25,12 @@ StepOutcome stepOutcome(const RayRecord& record, uint32_t step) {
 
 const StepLook& stepLook(StepOutcome kind) {
   static constexpr std::array<StepLook, kStepOutcomeCount> kLooks{{{"outside the grid", kColourDim, StepShape::cross},
-                                                               {"revisit", kColourRevisit, StepShape::ring},
-                                                               {"empty", kColourEmpty, StepShape::dot},
-                                                               {"tested, no hit", kColourTested, StepShape::square},
-                                                               {"saturated, gate held", kColourSaturated, StepShape::hatchedSquare},
-                                                               {"triangle hit", kColourTriangleHit, StepShape::filledSquare},
-                                                               {"voxel hit", kColourVoxelHit, StepShape::diamond}}};
+                                                                   {"revisit", kColourRevisit, StepShape::ring},
+                                                                   {"empty", kColourEmpty, StepShape::dot},
+                                                                   {"tested, no hit", kColourTested, StepShape::square},
+                                                                   {"saturated, gate held", kColourSaturated, StepShape::hatchedSquare},
+                                                                   {"triangle hit", kColourTriangleHit, StepShape::filledSquare},
+                                                                   {"voxel hit", kColourVoxelHit, StepShape::diamond}}};
   return kLooks[static_cast<size_t>(kind)];
 }
 

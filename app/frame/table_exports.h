@@ -14,12 +14,12 @@ namespace gridscope {
 using CsvRows = std::vector<std::vector<std::string>>;
 
 CsvRows verdictRows(const TruthTotals& totals);
-CsvRows causeRows(const TruthTotals& totals, const ProofTotals* proofs);   // proofs: null where nothing is proven yet
-CsvRows meshRows(const Ledger& ledger, const CaptureNames& names);         // meshes that cost rays, the most first
-CsvRows costlyCellRows(const Ledger& ledger);                              // likewise cells
-CsvRows slotRows(const SceneFacts& scene, const CellContents& contents);   // stored, then refused
+CsvRows causeRows(const TruthTotals& totals, const ProofTotals* proofs);  // proofs: null where nothing is proven yet
+CsvRows meshRows(const Ledger& ledger, const CaptureNames& names);        // meshes that cost rays, the most first
+CsvRows costlyCellRows(const Ledger& ledger);                             // likewise cells
+CsvRows slotRows(const SceneFacts& scene, const CellContents& contents);  // stored, then refused
 CsvRows stepRows(const FrameSnapshot& frame, const RecordedRay& ray);
-CsvRows testRows(const SceneFacts& scene, const StepFacts& facts);         // of one step: tested, then refused
+CsvRows testRows(const SceneFacts& scene, const StepFacts& facts);  // of one step: tested, then refused
 CsvRows triangleCellRows(const TriangleCells& cells);
 
 // Writes SCENE_TABLE.csv, or the first free name like it, beside where the program was started, on a thread of model.files, which says what became

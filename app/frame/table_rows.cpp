@@ -5,8 +5,8 @@
 #include <cmath>
 #include <initializer_list>
 
-#include "app/frame/find_next.h"
 #include "app/base/text.h"
+#include "app/frame/find_next.h"
 
 namespace gridscope {
 
@@ -66,7 +66,9 @@ Bounds boundsOfInstance(const FrameSnapshot& frame, uint32_t sceneInstance) {
 namespace {
 
 template <typename Column>
-constexpr size_t at(Column column) { return static_cast<size_t>(column); }
+constexpr size_t at(Column column) {
+  return static_cast<size_t>(column);
+}
 
 SheetColumn numbers(const char* title, const char* about, ColumnKind kind = ColumnKind::whole, bool known = true) {
   return {.title = title, .about = about, .kind = kind, .known = known};
@@ -88,9 +90,9 @@ void addRow(Sheet& sheet, uint32_t id, std::initializer_list<double> values) {
 
 // What the rays of an area saw and hit.
 struct AreaTargets {
-  std::vector<uint8_t> references;     // by world triangle
-  std::vector<uint8_t> instances;      // of the scene
-  std::vector<uint8_t> cells;          // x fastest
+  std::vector<uint8_t> references;  // by world triangle
+  std::vector<uint8_t> instances;   // of the scene
+  std::vector<uint8_t> cells;       // x fastest
 };
 
 class AreaMarker {
@@ -155,11 +157,14 @@ Sheet cellSheet(const FrameSnapshot& frame, const std::optional<PixelArea>& area
   const GridParameters& shape = grid.parameters;
   const bool costs = frame.ledger && frame.truths;
   Sheet sheet{.name = "cells"};
-  sheet.columns = {places("cell", "x, y, z of the cell", shape.cellCount), numbers("tried", "References that the cell was asked to take: stored and refused"),
-                   numbers("stored", "References in its slots"), numbers("refused", "References that found no slot"),
-                   numbers("occupancy", "Slots taken", ColumnKind::percent),
-                   numbers("read by rays", "Rays of this frame that tested its references", ColumnKind::whole, bool(frame.cellRays)),
-                   numbers("rays lost", "Rays that do not agree with the exact hit because of what took place here", ColumnKind::whole, costs)};
+  sheet.columns = {
+      places("cell", "x, y, z of the cell", shape.cellCount),
+      numbers("tried", "References that the cell was asked to take: stored and refused"),
+      numbers("stored", "References in its slots"),
+      numbers("refused", "References that found no slot"),
+      numbers("occupancy", "Slots taken", ColumnKind::percent),
+      numbers("read by rays", "Rays of this frame that tested its references", ColumnKind::whole, bool(frame.cellRays)),
+      numbers("rays lost", "Rays that do not agree with the exact hit because of what took place here", ColumnKind::whole, costs)};
 
   std::vector<uint32_t> raysLost(costs ? size_t(shape.cellCount.x) * size_t(shape.cellCount.y) * size_t(shape.cellCount.z) : 0);
   if (costs)
@@ -172,8 +177,9 @@ Sheet cellSheet(const FrameSnapshot& frame, const std::optional<PixelArea>& area
     const FullCell cell = fullnessOf(grid, cellOfId(shape, id));
     if (cell.tried() == 0) continue;
     const double readBy = frame.cellRays && id < frame.cellRays->size() ? double((*frame.cellRays)[id].read) : NAN;
-    addRow(sheet, id, {double(id), double(cell.tried()), double(cell.stored), double(cell.refused), 100.0 * cell.stored / shape.capacity, readBy,
-                       costs ? double(raysLost[id]) : NAN});
+    addRow(sheet, id,
+           {double(id), double(cell.tried()), double(cell.stored), double(cell.refused), 100.0 * cell.stored / shape.capacity, readBy,
+            costs ? double(raysLost[id]) : NAN});
     if (area) sheet.inArea.push_back(targets.cells[id]);
   }
   return sheet;
@@ -182,8 +188,8 @@ Sheet cellSheet(const FrameSnapshot& frame, const std::optional<PixelArea>& area
 // Of every world triangle: cells that hold it, cells that refused it, and the rays that this cost.
 struct TriangleCounts {
   std::vector<uint32_t> stored;
-  std::vector<uint32_t> lost;          // empty without the ledger
-  std::vector<uint32_t> rays;          // empty without the truth
+  std::vector<uint32_t> lost;  // empty without the ledger
+  std::vector<uint32_t> rays;  // empty without the truth
 };
 
 // Of the ledger, or read off the grid's slots, which know nothing of what was refused.
@@ -259,8 +265,9 @@ Sheet triangleSheet(const FrameSnapshot& frame, const std::optional<PixelArea>& 
       if (!corners) continue;
       const size_t index = size_t(corners - frame.worldTriangles->data());
       const TriangleName name = nameTriangle(numbered, reference);
-      addRow(sheet, reference, {double(reference), double(name.mesh), double(name.triangle), areaOf(*corners), double(counts.stored[index]),
-                                countAt(counts.lost, index), countAt(counts.rays, index)});
+      addRow(sheet, reference,
+             {double(reference), double(name.mesh), double(name.triangle), areaOf(*corners), double(counts.stored[index]),
+              countAt(counts.lost, index), countAt(counts.rays, index)});
       if (area) sheet.inArea.push_back(targets.references[index]);
     }
   }
@@ -269,7 +276,7 @@ Sheet triangleSheet(const FrameSnapshot& frame, const std::optional<PixelArea>& 
 
 // Sums over the pieces of one instance of the scene.
 struct InstanceSums {
-  std::optional<uint32_t> mesh;        // not given: it has no triangles in the grid's numbering
+  std::optional<uint32_t> mesh;  // not given: it has no triangles in the grid's numbering
   bool dynamic = false;
   double triangles = 0.0, stored = 0.0, lost = 0.0, rays = 0.0;
 };
@@ -356,9 +363,10 @@ Sheet raySheet(const FrameSnapshot& frame, const std::optional<PixelArea>& area)
     if (hit.kind == kHitNoRay || hit.kind > kHitCut) continue;
     const bool found = hit.kind == kHitTriangle || hit.kind == kHitVoxel;
     const RayTruth* told = truth ? &(*frame.truths)[pixel] : nullptr;
-    addRow(sheet, pixel, {double(pixel), double(hit.kind), found ? double(hit.t) : NAN, counted ? double((*frame.counters)[pixel].visits) : NAN,
-                          counted ? double((*frame.counters)[pixel].tests) : NAN, told ? double(told->verdict) : NAN,
-                          told && told->cause != kCauseNone ? double(told->cause) : NAN});
+    addRow(sheet, pixel,
+           {double(pixel), double(hit.kind), found ? double(hit.t) : NAN, counted ? double((*frame.counters)[pixel].visits) : NAN,
+            counted ? double((*frame.counters)[pixel].tests) : NAN, told ? double(told->verdict) : NAN,
+            told && told->cause != kCauseNone ? double(told->cause) : NAN});
     if (area) sheet.inArea.push_back(contains(*area, pixel, settings.width));
   }
   return sheet;

@@ -3,8 +3,8 @@
 
 #include <optional>
 
-#include "app/frame/snapshot.h"
 #include "app/frame/sheet.h"
+#include "app/frame/snapshot.h"
 #include "app/model/window_model.h"
 
 namespace gridscope {

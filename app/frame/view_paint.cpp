@@ -8,7 +8,7 @@
 
 namespace gridscope {
 
-static constexpr int kTableSize = 1024;   // steps of a colour map: finer than 8 bits show
+static constexpr int kTableSize = 1024;  // steps of a colour map: finer than 8 bits show
 
 static uint32_t darkened(uint32_t bytes, uint32_t shadow) {
   if (shadow == 0) return bytes;

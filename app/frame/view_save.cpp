@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "app/report/report.h"
 #include "app/base/text.h"
+#include "app/report/report.h"
 #include "core/base/image_file.h"
 #include "views/view.h"
 
@@ -13,7 +13,8 @@ namespace gridscope {
 
 void saveView(WindowModel& model, const std::string& name) {
   const View* view = findView(name);
-  if (!view || !model.frame || !model.frame->views.contains(name)) return model.showMessage(viewLabel(name) + ": this view is not shown yet");
+  if (!view || !model.frame || !model.frame->views.contains(name))
+    return model.showMessage(viewLabel(name) + ": this view is not shown yet");
   const std::shared_ptr<const FrameSnapshot> frame = model.frame;
   const auto pane = std::ranges::find(model.panes, name, &Pane::view);
   const FrameSettings& settings = *frame->request.settings;

@@ -6,12 +6,12 @@
 
 namespace gridscope {
 
-inline constexpr float kMostZoom = 64.0f;    // screen pixels a frame pixel
+inline constexpr float kMostZoom = 64.0f;  // screen pixels a frame pixel
 
 // Of one frame in one pane.
 struct PlacedFrame {
-  vec2 origin{0.0f};                   // of the frame's upper left corner
-  float scale = 1.0f;                  // screen pixels a frame pixel
+  vec2 origin{0.0f};   // of the frame's upper left corner
+  float scale = 1.0f;  // screen pixels a frame pixel
 };
 
 float fitScale(vec2 frame, vec2 pane);

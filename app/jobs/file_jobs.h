@@ -12,7 +12,7 @@ namespace gridscope {
 
 // "hall.csv", or where that is taken "hall_2.csv", "hall_3.csv", ...
 std::filesystem::path freePath(const std::filesystem::path& wanted, const std::function<bool(const std::filesystem::path&)>& taken);
-std::filesystem::path freePath(const std::filesystem::path& wanted);   // taken: there is such a file
+std::filesystem::path freePath(const std::filesystem::path& wanted);  // taken: there is such a file
 
 class FileJobs {
  public:
@@ -32,7 +32,7 @@ class FileJobs {
   // Of the jobs that ended since the last call.
   std::vector<News> takeNews();
   bool running() const { return !jobs_.empty(); }
-  void finish();                       // waits for all: for tests
+  void finish();  // waits for all: for tests
 
  private:
   std::vector<std::future<News>> jobs_;

@@ -2,9 +2,9 @@
 #include "app/jobs/report_job.h"
 
 #include "app/base/low_priority.h"
+#include "app/base/text.h"
 #include "app/report/page_frame.h"
 #include "app/report/page_sections.h"
-#include "app/base/text.h"
 
 namespace gridscope {
 

@@ -15,8 +15,8 @@ namespace gridscope {
 
 struct ReportState {
   bool running = false;
-  std::string what;                    // the step that is done
-  float share = 0.0f;                  // 0..1 of the steps
+  std::string what;    // the step that is done
+  float share = 0.0f;  // 0..1 of the steps
 };
 
 class ReportJob {
@@ -25,15 +25,15 @@ class ReportJob {
 
   // Begins one; options.page is the file. Nothing where one runs already.
   void start(const Options& options);
-  void cancel() { cancel_ = true; }    // after the step that is done
+  void cancel() { cancel_ = true; }  // after the step that is done
   ReportState state() const;
   std::optional<FileJobs::News> takeNews();  // what became of the last one, once
-  void finish();                       // waits: for tests
+  void finish();                             // waits: for tests
 
  private:
   void run(const Options& options);
 
-  mutable std::mutex mutex_;           // guards the next two
+  mutable std::mutex mutex_;  // guards the next two
   ReportState state_;
   std::optional<FileJobs::News> news_;
   std::atomic<bool> cancel_ = false;

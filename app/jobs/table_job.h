@@ -25,7 +25,7 @@ struct TableResult {
   TableWish wish;
   std::shared_ptr<const Sheet> sheet;
   SheetRows shown;
-  uint64_t number = 0;                 // rises with every result
+  uint64_t number = 0;  // rises with every result
 };
 
 class TableJob {

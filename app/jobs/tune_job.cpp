@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <chrono>
 
-#include "app/session/load_scene.h"
 #include "app/base/low_priority.h"
+#include "app/session/load_scene.h"
 #include "core/base/error.h"
 
 namespace gridscope {
@@ -46,7 +46,8 @@ bool canRenumber(const FrameSnapshot& frame) { return frame.scene && frame.scene
 
 size_t settingCount(const TuneAxes& axes, bool numberingsToo) {
   const auto of = [](size_t count) { return std::max<size_t>(1, count); };
-  const size_t grids = of(axes.cells.size()) * of(axes.capacities.size()) * of(axes.overlaps.size()) * (numberingsToo ? of(axes.numberings.size()) : 1);
+  const size_t grids =
+      of(axes.cells.size()) * of(axes.capacities.size()) * of(axes.overlaps.size()) * (numberingsToo ? of(axes.numberings.size()) : 1);
   const auto dda = std::count(axes.traversals.begin(), axes.traversals.end(), kTraversalDda);
   const size_t segments = of(axes.traversals.size()) - size_t(dda);
   const size_t traces = (segments * of(axes.backs.size()) * of(axes.aheads.size()) + size_t(dda)) * of(axes.gates.size());
@@ -104,7 +105,8 @@ void TuneJob::note(const TuneStep& step) {
 
 // The frame's own instances, as a pipeline without a scene takes them.
 static PipelineInputs inputsOf(const FrameSnapshot& frame) {
-  PipelineInputs inputs{.name = frame.scene->name, .numbered = frame.scene->numbered, .settings = *frame.request.settings, .parameters = frame.parameters};
+  PipelineInputs inputs{
+      .name = frame.scene->name, .numbered = frame.scene->numbered, .settings = *frame.request.settings, .parameters = frame.parameters};
   inputs.numbered.instances = *frame.instances;
   return inputs;
 }

@@ -20,17 +20,17 @@ namespace gridscope {
 // What there is to see of a sweep, done or under way.
 struct TuneState {
   bool running = false;
-  bool stopped = false;                // by a person: the rows are those done until then
+  bool stopped = false;  // by a person: the rows are those done until then
   size_t done = 0;
-  size_t total = 0;                    // 0: still preparing
-  double seconds = 0.0;                // since it began, or that it took
-  std::vector<TuneRow> rows;           // the first is the frame's own setting; fronts and recommendation as of now
-  size_t recommended = 0;              // into rows
-  uint32_t width = 0, height = 0;      // of the frame whose rays are traced
-  uint64_t number = 0;                 // rises with every change
-  std::string fault;                   // why it failed; empty: it did not
+  size_t total = 0;                // 0: still preparing
+  double seconds = 0.0;            // since it began, or that it took
+  std::vector<TuneRow> rows;       // the first is the frame's own setting; fronts and recommendation as of now
+  size_t recommended = 0;          // into rows
+  uint32_t width = 0, height = 0;  // of the frame whose rays are traced
+  uint64_t number = 0;             // rises with every change
+  std::string fault;               // why it failed; empty: it did not
 
-  double secondsLeft() const;          // below 0: not known
+  double secondsLeft() const;  // below 0: not known
 };
 
 // Largest memory and trace time that a person allows.
@@ -56,7 +56,7 @@ class TuneJob {
 
   // Begins a sweep over this frame's rays; it must hold rays and instances. Ends the one that runs.
   void start(std::shared_ptr<const FrameSnapshot> frame, const TuneAxes& axes);
-  void cancel() { cancel_ = true; }    // after the setting that is being tried
+  void cancel() { cancel_ = true; }  // after the setting that is being tried
 
   TuneState state() const;
   uint64_t number() const { return number_; }  // of state(), cheaply
@@ -67,7 +67,7 @@ class TuneJob {
   template <typename Change>
   void change(const Change& change);
 
-  mutable std::mutex mutex_;           // guards state_
+  mutable std::mutex mutex_;  // guards state_
   TuneState state_;
   std::chrono::steady_clock::time_point began_;
   std::atomic<uint64_t> number_ = 0;

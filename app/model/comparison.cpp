@@ -3,9 +3,9 @@
 
 #include <algorithm>
 
+#include "app/base/text.h"
 #include "app/frame/changes.h"
 #include "app/session/settings_table.h"
-#include "app/base/text.h"
 #include "views/view.h"
 
 namespace gridscope {
@@ -80,7 +80,8 @@ std::string frameLabel(const FrameSnapshot& frame, const FrameSnapshot& beside, 
   std::string label = another ? frame.scene->name : "";
   const auto add = [&](const std::string& text) { label += (label.empty() ? "" : ", ") + text; };
   if (!beside.request.settings) return label;
-  if (!another && (frame.request.timeSeconds != beside.request.timeSeconds || frame.request.frame != beside.request.frame)) add(timeText(frame));
+  if (!another && (frame.request.timeSeconds != beside.request.timeSeconds || frame.request.frame != beside.request.frame))
+    add(timeText(frame));
   if (!another && frame.request.edits != beside.request.edits) add(printed("%zu instances edited", frame.request.edits.size()));
   const std::vector<SettingText> own = settingTexts(*frame.request.settings), other = settingTexts(*beside.request.settings);
   size_t differ = 0;

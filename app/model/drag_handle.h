@@ -5,7 +5,7 @@
 
 namespace gridscope {
 
-enum class DragWay { x, y, z, plane };   // along an axis of the world, or across the view
+enum class DragWay { x, y, z, plane };  // along an axis of the world, or across the view
 
 // The way in the world that takes `centre` along with the mouse from one place of the frame to another. Zero where an axis points at the eye.
 vec3 dragOffset(const CameraParameters& camera, const vec3& centre, DragWay way, vec2 from, vec2 to);

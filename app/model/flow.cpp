@@ -7,11 +7,11 @@
 #include <utility>
 
 #include "app/frame/camera_moves.h"
-#include "app/model/comparison.h"
 #include "app/frame/changes.h"
-#include "app/model/held_ray.h"
 #include "app/frame/projection.h"
 #include "app/frame/ray_stepping.h"
+#include "app/model/comparison.h"
+#include "app/model/held_ray.h"
 #include "app/model/selection_carry.h"
 #include "app/model/stale_values.h"
 #include "views/view.h"
@@ -23,7 +23,8 @@ static constexpr size_t kMostRecentFiles = 12;
 std::set<std::string> shownViews(const WindowModel& model) {
   std::set<std::string> views;
   const int panes = model.layout == ViewportLayout::four ? 4 : 1;
-  for (int i = 0; i < panes; ++i) views.insert(model.panes[model.layout == ViewportLayout::four ? size_t(i) : size_t(model.activePane)].view);
+  for (int i = 0; i < panes; ++i)
+    views.insert(model.panes[model.layout == ViewportLayout::four ? size_t(i) : size_t(model.activePane)].view);
   if (model.layout == ViewportLayout::compare && model.comparison.with == CompareState::With::view)
     views.insert(model.panes[size_t(model.activePane) ^ 1u].view);
   return views;
@@ -32,8 +33,10 @@ std::set<std::string> shownViews(const WindowModel& model) {
 FrameRequest requestOf(const WindowModel& model) {
   FrameRequest request = model.request;
   if (request.settings) request.settings->camera = model.camera.pose;
-  if (rayIsHeld(model)) request.recordPixel.reset();
-  else request.recordPixel = model.selected().pixel;
+  if (rayIsHeld(model))
+    request.recordPixel.reset();
+  else
+    request.recordPixel = model.selected().pixel;
   request.views = shownViews(model);
   if (model.comparison.completing) request.views.merge(viewsToKeep(model));
   for (const std::string& name : request.views) {
@@ -72,7 +75,7 @@ static void greetScene(WindowModel& model) {
   for (ViewportPlace& place : model.places) place = {};
   model.bookmarksOf = bookmarkKey(frame.scene->path);
   model.bookmarks = model.savedBookmarks[model.bookmarksOf];
-  if (!std::filesystem::exists(frame.scene->path)) return;   // built in
+  if (!std::filesystem::exists(frame.scene->path)) return;  // built in
   const std::string path = std::filesystem::absolute(frame.scene->path).lexically_normal().string();
   std::erase(model.recentFiles, path);
   model.recentFiles.insert(model.recentFiles.begin(), path);
@@ -84,7 +87,7 @@ static void carrySelection(WindowModel& model, const FrameSnapshot& before) {
   const FrameSnapshot& now = *model.frame;
   if (before.scene != now.scene && !sameNumbering(before.scene->numbered, now.scene->numbered)) {
     model.selection.change([&](const Selection& one) { return carriedToNumbering(one, before.scene->numbered, now.scene->numbered); });
-    model.held.reset();   // names the old references
+    model.held.reset();  // names the old references
   }
   const auto sizeOf = [](const FrameSnapshot& frame) { return uvec2(frame.request.settings->width, frame.request.settings->height); };
   const uvec2 was = sizeOf(before), is = sizeOf(now);
@@ -99,13 +102,15 @@ void takeFrame(WindowModel& model, std::shared_ptr<const FrameSnapshot> frame) {
   completeKept(model, frame);
   const std::shared_ptr<const FrameSnapshot> before = std::exchange(model.frame, std::move(frame));
   model.stageHistory.note(*model.frame);
-  if (anotherScene && model.frame->request.settings) greetScene(model);
-  else if (before && before->scene && model.frame->scene && before->request.settings && model.frame->request.settings) carrySelection(model, *before);
+  if (anotherScene && model.frame->request.settings)
+    greetScene(model);
+  else if (before && before->scene && model.frame->scene && before->request.settings && model.frame->request.settings)
+    carrySelection(model, *before);
   if (!model.frame->fault.empty()) {
     // What can't be had is no longer asked for.
     model.announce(LogLine::Kind::error, model.frame->fault);
     if (model.frame->request.settings) {
-      if (model.request.source != model.frame->request.source) {   // opening a file had set these back
+      if (model.request.source != model.frame->request.source) {  // opening a file had set these back
         model.request.frame = model.frame->request.frame;
         model.request.timeSeconds = model.frame->request.timeSeconds;
       }
@@ -129,7 +134,8 @@ void openSource(WindowModel& model, const std::string& path) {
 }
 
 void useRaysOf(WindowModel& model, const std::string& path) {
-  if (model.frame && model.frame->scene && model.frame->scene->captureFrames > 0) return model.showMessage(path + ": a capture has rays of its own; open a scene first");
+  if (model.frame && model.frame->scene && model.frame->scene->captureFrames > 0)
+    return model.showMessage(path + ": a capture has rays of its own; open a scene first");
   model.request.source.rays = path;
 }
 
@@ -141,7 +147,8 @@ void setTime(WindowModel& model, double seconds) {
 void showCapturedFrame(WindowModel& model, uint32_t frame) {
   const std::vector<CameraPose>& cameras = model.frame->scene->cameras;
   const bool each = cameras.size() > 1 && cameras.size() == model.frame->scene->captureFrames;
-  if (each && sameCamera(model.camera.pose, cameras[model.request.frame % cameras.size()])) model.camera.pose = cameras[frame % cameras.size()];
+  if (each && sameCamera(model.camera.pose, cameras[model.request.frame % cameras.size()]))
+    model.camera.pose = cameras[frame % cameras.size()];
   model.request.frame = frame;
 }
 
@@ -161,8 +168,10 @@ static void focusOnWanted(WindowModel& model) {
   model.focusWanted.reset();
   if (wanted.empty() || !model.frame || !model.frame->request.settings) return;
   const vec3 middle = 0.5f * (wanted.low + wanted.high);
-  if (!inPicture(model.camera.pose, *model.frame->request.settings, middle)) focusCamera(model.camera, wanted);
-  else if (const auto point = projectPoint(model.frame->parameters.camera, middle)) model.pixelWanted = point->pixel;
+  if (!inPicture(model.camera.pose, *model.frame->request.settings, middle))
+    focusCamera(model.camera, wanted);
+  else if (const auto point = projectPoint(model.frame->parameters.camera, middle))
+    model.pixelWanted = point->pixel;
 }
 
 void advanceModel(WindowModel& model) {
@@ -187,7 +196,8 @@ void showIn(WindowModel& model, Workspace workspace) {
     case Workspace::grid:
       model.layout = ViewportLayout::one;
       model.panes[0] = {"occupancy"};
-      overlays.saturatedBoxes = true, overlays.cellBoxes = overlays.raySegments = overlays.visitedCells = overlays.testedTriangles = overlays.dimmed = false;
+      overlays.saturatedBoxes = true,
+      overlays.cellBoxes = overlays.raySegments = overlays.visitedCells = overlays.testedTriangles = overlays.dimmed = false;
       model.showTab(BottomTab::plots);
       break;
     case Workspace::ray:
@@ -200,7 +210,8 @@ void showIn(WindowModel& model, Workspace workspace) {
     case Workspace::verdict:
       model.layout = ViewportLayout::four;
       model.panes = {Pane{"final"}, Pane{"verdict"}, Pane{"cause"}, Pane{"visits"}};
-      overlays.saturatedBoxes = overlays.cellBoxes = overlays.raySegments = overlays.visitedCells = overlays.testedTriangles = overlays.dimmed = false;
+      overlays.saturatedBoxes = overlays.cellBoxes = overlays.raySegments = overlays.visitedCells = overlays.testedTriangles =
+          overlays.dimmed = false;
       model.request.truth = true;
       model.showTab(BottomTab::causes);
       break;
@@ -225,7 +236,9 @@ void declineTruth(WindowModel& model) {
   model.pendingJump = Jump::none;
 }
 
-bool opensAnother(const WindowModel& model) { return !model.request.settings || (model.frame && model.request.source != model.frame->request.source); }
+bool opensAnother(const WindowModel& model) {
+  return !model.request.settings || (model.frame && model.request.source != model.frame->request.source);
+}
 
 void undoSetting(WindowModel& model) {
   if (model.undo.empty() || opensAnother(model)) return;

@@ -22,15 +22,16 @@ void advanceModel(WindowModel& model);
 // View, panes, overlays and bottom tab of a workspace.
 void showIn(WindowModel& model, Workspace workspace);
 
-void openSource(WindowModel& model, const std::string& path);   // a scene's or capture's path, a built-in scene's name, or rays in a .npy file
-void useRaysOf(WindowModel& model, const std::string& path);    // of a .npy file, on the scene that is shown; "": the bounce's again
-void stepTime(WindowModel& model, int frames);                  // forward or back
-void showCapturedFrame(WindowModel& model, uint32_t frame);     // of a sequence; its own camera where the frame before was seen from its own
+void openSource(WindowModel& model,
+                const std::string& path);  // a scene's or capture's path, a built-in scene's name, or rays in a .npy file
+void useRaysOf(WindowModel& model, const std::string& path);  // of a .npy file, on the scene that is shown; "": the bounce's again
+void stepTime(WindowModel& model, int frames);                // forward or back
+void showCapturedFrame(WindowModel& model, uint32_t frame);   // of a sequence; its own camera where the frame before was seen from its own
 void setTime(WindowModel& model, double seconds);
-void showView(WindowModel& model, const std::string& view);     // in the active pane
-bool opensAnother(const WindowModel& model);                    // a scene is being loaded: the settings are still those of the one before
+void showView(WindowModel& model, const std::string& view);  // in the active pane
+bool opensAnother(const WindowModel& model);                 // a scene is being loaded: the settings are still those of the one before
 void undoSetting(WindowModel& model);
-void declineTruth(WindowModel& model);                          // until it is asked for again
+void declineTruth(WindowModel& model);  // until it is asked for again
 
 // The next ray of that kind behind the selected one, in the order of pixels; asks for the truth first where it is not told yet.
 void jumpTo(WindowModel& model, Jump jump);

@@ -14,7 +14,8 @@ bool sameTraceParameters(const TraceParameters& a, const TraceParameters& b) { r
 // The frame's own record, as long as the camera stands where it was made.
 void noteRay(WindowModel& model) {
   const FrameSnapshot& frame = *model.frame;
-  if (!frame.record || frame.record->pixel != model.selected().pixel || !sameCamera(frame.request.settings->camera, model.camera.pose)) return;
+  if (!frame.record || frame.record->pixel != model.selected().pixel || !sameCamera(frame.request.settings->camera, model.camera.pose))
+    return;
   if (model.held && model.held->ray == frame.record) return;
   model.held = HeldRay{.ray = frame.record, .pose = model.camera.pose, .grid = frame.grid, .trace = frame.parameters.trace};
 }
@@ -27,7 +28,8 @@ void recordAgain(WindowModel& model) {
   ray.record = recordRay(TraceInput{*frame.grid, frame.scene->numbered, *frame.worldTriangles, frame.parameters.trace}, ray.ray);
   ray.frameHit = ray.record.hit;
   ray.equalsFrame = true;
-  held = {.ray = std::make_shared<const RecordedRay>(std::move(ray)), .pose = held.pose, .grid = frame.grid, .trace = frame.parameters.trace};
+  held = {
+      .ray = std::make_shared<const RecordedRay>(std::move(ray)), .pose = held.pose, .grid = frame.grid, .trace = frame.parameters.trace};
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
 // The ways to the next ray of a kind and to the next cell (flow.h); ray_stepping.h has those to steps.
 #include "app/frame/find_next.h"
-#include "app/model/flow.h"
 #include "app/frame/projection.h"
+#include "app/model/flow.h"
 
 namespace gridscope {
 
@@ -14,7 +14,8 @@ void jumpTo(WindowModel& model, Jump jump) {
     return model.showMessage("The truth of this frame is being told first");
   }
   const RayWanted wanted{.verdict = jump == Jump::nextHole ? kVerdictHole : kVerdictVoxelWrong};
-  if (const auto pixel = nextRay(*model.frame, model.rayOrder.pixels, model.selected().pixel, wanted)) return model.selection.selectPixel(*pixel);
+  if (const auto pixel = nextRay(*model.frame, model.rayOrder.pixels, model.selected().pixel, wanted))
+    return model.selection.selectPixel(*pixel);
   model.showMessage(std::string("No ray of this frame is a ") + (jump == Jump::nextHole ? "hole" : "wrong voxel hit"));
 }
 

@@ -8,7 +8,9 @@
 namespace gridscope {
 
 // `places` on from `at` among `count`, around at the ends.
-static size_t around(size_t at, int places, size_t count) { return size_t((int64_t(at) + places % int64_t(count) + int64_t(count)) % int64_t(count)); }
+static size_t around(size_t at, int places, size_t count) {
+  return size_t((int64_t(at) + places % int64_t(count) + int64_t(count)) % int64_t(count));
+}
 
 void stepTab(WindowModel& model, int places) { model.showTab(BottomTab(around(size_t(model.bottomTab), places, kBottomTabCount))); }
 
@@ -31,7 +33,7 @@ std::string whyNoTime(const WindowModel& model) {
 
 std::string bookmarkKey(const std::string& scene) {
   std::error_code fault;
-  if (!std::filesystem::exists(scene, fault)) return scene;   // built in
+  if (!std::filesystem::exists(scene, fault)) return scene;  // built in
   const std::filesystem::path whole = std::filesystem::weakly_canonical(std::filesystem::absolute(scene), fault);
   return fault ? scene : whole.string();
 }

@@ -24,9 +24,12 @@ std::filesystem::path preferencesFile() {
   const char* config = std::getenv("XDG_CONFIG_HOME");
   const char* home = std::getenv("HOME");
   std::filesystem::path folder;
-  if (config && *config) folder = config;
-  else if (home && *home) folder = std::filesystem::path(home) / ".config";
-  else return {};
+  if (config && *config)
+    folder = config;
+  else if (home && *home)
+    folder = std::filesystem::path(home) / ".config";
+  else
+    return {};
   return folder / "gridscope" / "window.json";
 }
 
@@ -47,8 +50,10 @@ void readPreferences(WindowModel& model, const std::filesystem::path& file) {
     for (const auto& [scene, list] : bookmarks.items())
       for (const json& one : list)
         model.savedBookmarks[scene].push_back({one.at("name").get<std::string>(),
-                                               {.name = one.at("name").get<std::string>(), .eye = vectorOf(one.at("eye")),
-                                                .target = vectorOf(one.at("target")), .up = vectorOf(one.at("up")),
+                                               {.name = one.at("name").get<std::string>(),
+                                                .eye = vectorOf(one.at("eye")),
+                                                .target = vectorOf(one.at("target")),
+                                                .up = vectorOf(one.at("up")),
                                                 .verticalFovDegrees = std::clamp(one.at("fov").get<float>(), 1.0f, 170.0f)}});
   } catch (const json::exception&) {
     // What was read before the damage stands.
@@ -59,12 +64,19 @@ std::string preferencesText(const WindowModel& model) {
   json bookmarks = json::object();
   for (const auto& [scene, list] : model.savedBookmarks)
     for (const Bookmark& one : list)
-      bookmarks[scene].push_back({{"name", one.name}, {"eye", vectorJson(one.pose.eye)}, {"target", vectorJson(one.pose.target)},
-                                  {"up", vectorJson(one.pose.up)}, {"fov", one.pose.verticalFovDegrees}});
-  const json saved = {{"left", model.splits.left},     {"right", model.splits.right},
-                      {"bottom", model.splits.bottom}, {"uiScale", model.uiScale},
+      bookmarks[scene].push_back({{"name", one.name},
+                                  {"eye", vectorJson(one.pose.eye)},
+                                  {"target", vectorJson(one.pose.target)},
+                                  {"up", vectorJson(one.pose.up)},
+                                  {"fov", one.pose.verticalFovDegrees}});
+  const json saved = {{"left", model.splits.left},
+                      {"right", model.splits.right},
+                      {"bottom", model.splits.bottom},
+                      {"uiScale", model.uiScale},
                       {"theme", model.theme == Theme::light ? "light" : "dark"},
-                      {"colourMap", model.colourMap},  {"recentFiles", model.recentFiles}, {"bookmarks", bookmarks}};
+                      {"colourMap", model.colourMap},
+                      {"recentFiles", model.recentFiles},
+                      {"bookmarks", bookmarks}};
   return saved.dump(2, ' ', false, json::error_handler_t::replace) + "\n";
 }
 
@@ -82,7 +94,7 @@ void writePreferences(const std::string& text, const std::filesystem::path& file
 }
 
 void PreferenceKeeper::look(const WindowModel& model) {
-  constexpr double kSeconds = 3.0;   // between two looks
+  constexpr double kSeconds = 3.0;  // between two looks
   if (model.now - looked_ < kSeconds) return;
   looked_ = model.now;
   end(model);

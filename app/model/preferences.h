@@ -26,13 +26,13 @@ class PreferenceKeeper {
  public:
   explicit PreferenceKeeper(const WindowModel& model, std::filesystem::path file = preferencesFile())
       : file_(std::move(file)), written_(preferencesText(model)) {}
-  void look(const WindowModel& model);   // once a display frame; model.now says when
+  void look(const WindowModel& model);  // once a display frame; model.now says when
   void end(const WindowModel& model);
 
  private:
   std::filesystem::path file_;
   std::string written_;
-  double looked_ = 0.0;                  // seconds, as model.now
+  double looked_ = 0.0;  // seconds, as model.now
 };
 
 }  // namespace gridscope

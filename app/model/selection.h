@@ -16,12 +16,12 @@ enum class Selected { nothing, pixel, step, cell, triangle, instance };
 
 struct Selection {
   Selected last = Selected::nothing;
-  std::optional<uint32_t> pixel;       // of the frame; its ray is recorded
-  uint32_t step = 0;                   // of the recorded ray
+  std::optional<uint32_t> pixel;  // of the frame; its ray is recorded
+  uint32_t step = 0;              // of the recorded ray
   std::optional<ivec3> cell;
-  std::optional<uint32_t> slot;        // of that cell
-  std::optional<uint32_t> reference;   // triangle
-  std::optional<uint32_t> instance;    // of the scene
+  std::optional<uint32_t> slot;       // of that cell
+  std::optional<uint32_t> reference;  // triangle
+  std::optional<uint32_t> instance;   // of the scene
   bool operator==(const Selection&) const = default;
 };
 
@@ -29,8 +29,8 @@ class SelectionHistory {
  public:
   const Selection& now() const { return entries_[at_]; }
 
-  void selectPixel(uint32_t pixel);    // step 0 of its ray
-  void selectStep(uint32_t step);      // steps of one ray make one entry of the history
+  void selectPixel(uint32_t pixel);  // step 0 of its ray
+  void selectStep(uint32_t step);    // steps of one ray make one entry of the history
   void selectCell(ivec3 cell, std::optional<uint32_t> slot = {});
   void selectTriangle(uint32_t reference);
   void selectInstance(uint32_t sceneInstance);

@@ -25,15 +25,18 @@ bool sameNumbering(const NumberedScene& a, const NumberedScene& b) {
   const auto sameSource = [](const InstanceSource& x, const InstanceSource& y) {
     return x.sceneInstance == y.sceneInstance && x.mesh == y.mesh && x.firstTriangle == y.firstTriangle;
   };
-  return a.instanceCount() == b.instanceCount() && std::equal(a.sources.begin(), a.sources.end(), b.sources.begin(), b.sources.end(), sameSource) &&
+  return a.instanceCount() == b.instanceCount() &&
+         std::equal(a.sources.begin(), a.sources.end(), b.sources.begin(), b.sources.end(), sameSource) &&
          a.meshTriangles == b.meshTriangles;
 }
 
 Selection carriedToNumbering(Selection selection, const NumberedScene& before, const NumberedScene& after) {
-  selection.slot.reset();   // other references stand in the slots
+  selection.slot.reset();  // other references stand in the slots
   if (!selection.reference) return selection;
-  if (holds(before, *selection.reference)) selection.reference = referenceOf(after, nameTriangle(before, *selection.reference));
-  else selection.reference.reset();
+  if (holds(before, *selection.reference))
+    selection.reference = referenceOf(after, nameTriangle(before, *selection.reference));
+  else
+    selection.reference.reset();
   if (!selection.reference && selection.last == Selected::triangle) selection.last = Selected::nothing;
   return selection;
 }
@@ -47,9 +50,11 @@ Selection carriedToSize(Selection selection, uvec2 before, uvec2 after) {
   if (!selection.pixel) return selection;
   const uvec2 pixel(*selection.pixel % before.x, *selection.pixel / before.x);
   const bool inside = pixel.y < before.y;
-  if (inside) selection.pixel = carried(pixel.y, before.y, after.y) * after.x + carried(pixel.x, before.x, after.x);
-  else selection.pixel.reset();
-  if (selection.last == Selected::step) selection.last = Selected::pixel;   // of another ray
+  if (inside)
+    selection.pixel = carried(pixel.y, before.y, after.y) * after.x + carried(pixel.x, before.x, after.x);
+  else
+    selection.pixel.reset();
+  if (selection.last == Selected::step) selection.last = Selected::pixel;  // of another ray
   if (!inside && selection.last == Selected::pixel) selection.last = Selected::nothing;
   selection.step = 0;
   return selection;

@@ -2,8 +2,8 @@
 #include "app/model/stale_values.h"
 
 #include "app/frame/changes.h"
-#include "app/model/held_ray.h"
 #include "app/model/flow.h"
+#include "app/model/held_ray.h"
 
 namespace gridscope {
 
@@ -11,7 +11,7 @@ StaleValues staleValues(const WindowModel& model) {
   if (!model.frame || !model.frame->request.settings) return {};
   const FrameSnapshot& frame = *model.frame;
   const FrameRequest wanted = requestOf(model);
-  if (!wanted.settings) return {.grid = true, .rays = true, .steps = true};   // another source is being loaded
+  if (!wanted.settings) return {.grid = true, .rays = true, .steps = true};  // another source is being loaded
   const FrameChanges changes = changesBetween(frame.request, wanted);
   // After an update the demand is worked out again, once the new grid was read.
   const bool rays = changes.trace || frame.stale;
@@ -19,7 +19,7 @@ StaleValues staleValues(const WindowModel& model) {
 }
 
 void noteStale(WindowModel& model) {
-  constexpr double kMoment = 0.2;      // seconds: quick stages do not make the panels flicker
+  constexpr double kMoment = 0.2;  // seconds: quick stages do not make the panels flicker
   const StaleValues now = staleValues(model);
   const bool any = now.grid || now.rays || now.steps;
   if (!any || model.playing) model.freshAt = model.now;

@@ -6,8 +6,8 @@
 
 #include <stb/stb_image_write.h>
 
-#include "core/capture/compare.h"
 #include "core/base/error.h"
+#include "core/capture/compare.h"
 #include "views/picture.h"
 
 namespace gridscope {
@@ -80,7 +80,8 @@ void setPixel(Picture& picture, size_t index, uint32_t colour) {
 
 Picture besides(const Picture& a, const Picture& b) {
   Picture strip = makePicture(a.width + kGap + b.width, std::max(a.height, b.height), kColourWindow);
-  for (uint32_t y = 0; y < a.height; ++y) std::copy_n(&a.rgba[size_t{4} * y * a.width], size_t{4} * a.width, &strip.rgba[size_t{4} * y * strip.width]);
+  for (uint32_t y = 0; y < a.height; ++y)
+    std::copy_n(&a.rgba[size_t{4} * y * a.width], size_t{4} * a.width, &strip.rgba[size_t{4} * y * strip.width]);
   for (uint32_t y = 0; y < b.height; ++y)
     std::copy_n(&b.rgba[size_t{4} * y * b.width], size_t{4} * b.width, &strip.rgba[4 * (size_t{y} * strip.width + a.width + kGap)]);
   return strip;
@@ -104,14 +105,18 @@ Picture plainView(Pipeline& pipeline, const char* name) {
   const Pipeline::ViewImage image = pipeline.view(name, {}, view.needsGrid);
   const FrameSettings& settings = pipeline.settings();
   return makeViewPicture(view, image.elements, image.width, image.height,
-                         {.legend = false, .capacity = uint32_t(pipeline.parameters().grid.capacity), .frameWidth = settings.width, .frameHeight = settings.height})
+                         {.legend = false,
+                          .capacity = uint32_t(pipeline.parameters().grid.capacity),
+                          .frameWidth = settings.width,
+                          .frameHeight = settings.height})
       .picture;
 }
 
 std::vector<std::byte> pngBytes(const Picture& picture) {
   std::vector<std::byte> bytes;
   const int width = int(picture.width), height = int(picture.height);
-  if (!stbi_write_png_to_func(appendBytes, &bytes, width, height, 4, picture.rgba.data(), 4 * width)) throw Error("a picture could not be encoded");
+  if (!stbi_write_png_to_func(appendBytes, &bytes, width, height, 4, picture.rgba.data(), 4 * width))
+    throw Error("a picture could not be encoded");
   return bytes;
 }
 

@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "core/capture/capture.h"
 #include "core/base/image_file.h"
-#include "core/pipeline/pipeline.h"
+#include "core/capture/capture.h"
 #include "core/checks/replay.h"
+#include "core/pipeline/pipeline.h"
 
 namespace gridscope {
 
@@ -23,7 +23,7 @@ std::vector<std::byte> pngBytes(const Picture& picture);
 struct TwoSides {
   std::vector<Hit> hitsA, hitsB;
   Grid gridA, gridB;
-  uint32_t width = 0;           // of the hits
+  uint32_t width = 0;  // of the hits
   uint32_t height = 0;
 };
 

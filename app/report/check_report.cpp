@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "app/report/explain_report.h"
 #include "app/base/text.h"
+#include "app/report/explain_report.h"
 
 namespace gridscope {
 
@@ -35,29 +35,37 @@ Json stageJson(const CheckedStage& stage) {
   Json json{{"stage", stage.stage}, {"frame", stage.frame}};
   for (const Invariant& invariant : stage.invariants) {
     Json& one = json["invariants"][invariant.key] = {{"name", invariant.name}, {"count", invariant.count}};
-    if (invariant.whyNot.empty()) one["holds"] = invariant.holds();
-    else one["whyNot"] = invariant.whyNot;
+    if (invariant.whyNot.empty())
+      one["holds"] = invariant.holds();
+    else
+      one["whyNot"] = invariant.whyNot;
     if (!invariant.holds()) one["fault"] = invariant.fault;
   }
   return json;
 }
 
 Json stabilityJson(const Stability& stability, uint64_t rays) {
-  return {{"builds", stability.builds}, {"occupied", stability.occupied}, {"setDiffers", stability.setDiffers},
-          {"orderDiffers", stability.orderDiffers}, {"rays", rays}, {"raysChange", stability.raysChange}};
+  return {{"builds", stability.builds},
+          {"occupied", stability.occupied},
+          {"setDiffers", stability.setDiffers},
+          {"orderDiffers", stability.orderDiffers},
+          {"rays", rays},
+          {"raysChange", stability.raysChange}};
 }
 
 void printStability(std::FILE* out, const Stability& stability, const RayTotals& rays) {
-  std::fprintf(out, "%-12s%u builds: %s of %s occupied cells hold other references, %s the same in another order; %s of %s rays end differently\n",
-               "stability", stability.builds, grouped(stability.setDiffers).c_str(), grouped(stability.occupied).c_str(),
-               grouped(stability.orderDiffers).c_str(), grouped(stability.raysChange).c_str(), grouped(rays.count).c_str());
+  std::fprintf(
+      out, "%-12s%u builds: %s of %s occupied cells hold other references, %s the same in another order; %s of %s rays end differently\n",
+      "stability", stability.builds, grouped(stability.setDiffers).c_str(), grouped(stability.occupied).c_str(),
+      grouped(stability.orderDiffers).c_str(), grouped(stability.raysChange).c_str(), grouped(rays.count).c_str());
 }
 
 void printFigures(std::FILE* out, const Session& session, const CheckedFrame& frame) {
   const GridStatistics& cells = frame.grid.statistics;
   if (countsRefused(session))
-    std::fprintf(out, "%-12s%s tried, %s stored, %s refused (%s)\n", "references", grouped(triedIn(frame.grid)).c_str(), grouped(frame.grid.stored()).c_str(),
-                 grouped(frame.grid.refused()).c_str(), percentOf(frame.grid.refused(), triedIn(frame.grid)).c_str());
+    std::fprintf(out, "%-12s%s tried, %s stored, %s refused (%s)\n", "references", grouped(triedIn(frame.grid)).c_str(),
+                 grouped(frame.grid.stored()).c_str(), grouped(frame.grid.refused()).c_str(),
+                 percentOf(frame.grid.refused(), triedIn(frame.grid)).c_str());
   else
     std::fprintf(out, "%-12s%s stored; what was refused is not counted\n", "references", grouped(frame.grid.stored()).c_str());
   std::fprintf(out, "%-12s%s occupied, %s saturated (%s)\n", "cells", grouped(cells.occupied).c_str(), grouped(cells.saturated).c_str(),
@@ -85,7 +93,8 @@ void printFrames(std::FILE* out, const Session& session, const std::vector<Check
 
 size_t CheckReport::broken() const {
   size_t count = 0;
-  for (const CheckedStage& stage : stages) count += size_t(std::ranges::count_if(stage.invariants, [](const Invariant& one) { return !one.holds(); }));
+  for (const CheckedStage& stage : stages)
+    count += size_t(std::ranges::count_if(stage.invariants, [](const Invariant& one) { return !one.holds(); }));
   return count;
 }
 
@@ -94,14 +103,19 @@ void printCheck(std::FILE* out, const Session& session, const CheckReport& repor
   Table table("llll");
   for (const CheckedStage& stage : report.stages)
     for (const Invariant& invariant : stage.invariants)
-      table.add({stageName(stage, report), invariant.name, wordOf(invariant), invariant.whyNot.empty() ? invariant.fault : invariant.whyNot});
+      table.add(
+          {stageName(stage, report), invariant.name, wordOf(invariant), invariant.whyNot.empty() ? invariant.fault : invariant.whyNot});
   table.print(out);
 
-  if (report.frames.size() == 1) printFigures(out, session, report.frames.front());
-  else printFrames(out, session, report.frames);
+  if (report.frames.size() == 1)
+    printFigures(out, session, report.frames.front());
+  else
+    printFrames(out, session, report.frames);
   if (report.stability) printStability(out, *report.stability, report.frames.back().rays);
-  if (report.broken() == 0) std::fprintf(out, "%-12severything that applies holds\n", "check");
-  else std::fprintf(out, "%-12s%zu broken\n", "check", report.broken());
+  if (report.broken() == 0)
+    std::fprintf(out, "%-12severything that applies holds\n", "check");
+  else
+    std::fprintf(out, "%-12s%zu broken\n", "check", report.broken());
 }
 
 Json checkJson(const Session& session, const CheckReport& report, size_t frame) {

@@ -13,7 +13,7 @@
 namespace gridscope {
 
 struct CheckedStage {
-  std::string stage;                   // "build", "update", "captured", "trace", "captured hits"
+  std::string stage;  // "build", "update", "captured", "trace", "captured hits"
   uint32_t frame = 0;
   std::vector<Invariant> invariants;
 };
@@ -21,9 +21,9 @@ struct CheckedStage {
 // The figures of a frame.
 struct CheckedFrame {
   GridTotals grid;
-  RayTotals rays;                      // as the frame's hits, captured ones where there are, say
-  std::optional<uint64_t> foreignHits; // of captured hits: how many are not what the trace ends with
-  std::optional<TruthTotals> truth;    // where a budget asks for it
+  RayTotals rays;                       // as the frame's hits, captured ones where there are, say
+  std::optional<uint64_t> foreignHits;  // of captured hits: how many are not what the trace ends with
+  std::optional<TruthTotals> truth;     // where a budget asks for it
 };
 
 struct CheckReport {

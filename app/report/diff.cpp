@@ -7,15 +7,16 @@ namespace gridscope {
 
 static std::string cellsText(const CellDifferences& cells) {
   return printed("%s of %s cells: %s in A alone, %s in B alone, %s with other references, %s with other refusals; the first: ",
-                 grouped(cells.different()).c_str(),
-                 grouped(cells.total).c_str(), grouped(cells.onlyA).c_str(), grouped(cells.onlyB).c_str(), grouped(cells.otherReferences).c_str(),
-                 grouped(cells.otherRefused).c_str()) + cells.first;
+                 grouped(cells.different()).c_str(), grouped(cells.total).c_str(), grouped(cells.onlyA).c_str(),
+                 grouped(cells.onlyB).c_str(), grouped(cells.otherReferences).c_str(), grouped(cells.otherRefused).c_str()) +
+         cells.first;
 }
 
 static std::string hitsText(const HitDifferences& hits) {
   return printed("%s of %s hits: %s of another kind, %s on another triangle, %s at another distance; the first: ",
-                 grouped(hits.different()).c_str(),
-                 grouped(hits.total).c_str(), grouped(hits.otherKind).c_str(), grouped(hits.otherTriangle).c_str(), grouped(hits.otherDistance).c_str()) + hits.first;
+                 grouped(hits.different()).c_str(), grouped(hits.total).c_str(), grouped(hits.otherKind).c_str(),
+                 grouped(hits.otherTriangle).c_str(), grouped(hits.otherDistance).c_str()) +
+         hits.first;
 }
 
 std::vector<std::string> differenceLines(const CaptureDifferences& differences) {
@@ -40,14 +41,19 @@ static nlohmann::ordered_json cellsJson(const CellDifferences& cells) {
 }
 
 static nlohmann::ordered_json hitsJson(const HitDifferences& hits) {
-  return {{"otherKind", hits.otherKind}, {"otherTriangle", hits.otherTriangle}, {"otherDistance", hits.otherDistance}, {"total", hits.total},
+  return {{"otherKind", hits.otherKind},
+          {"otherTriangle", hits.otherTriangle},
+          {"otherDistance", hits.otherDistance},
+          {"total", hits.total},
           {"first", hits.first}};
 }
 
 nlohmann::ordered_json differencesJson(const CaptureDifferences& differences) {
   using Json = nlohmann::ordered_json;
-  Json json = {{"equal", differences.equal()}, {"settings", Json::array()}, {"notCompared", differences.notCompared}, {"frames", Json::array()}};
-  for (const SettingDifference& setting : differences.settings) json["settings"].push_back({{"name", setting.name}, {"a", setting.a}, {"b", setting.b}});
+  Json json = {
+      {"equal", differences.equal()}, {"settings", Json::array()}, {"notCompared", differences.notCompared}, {"frames", Json::array()}};
+  for (const SettingDifference& setting : differences.settings)
+    json["settings"].push_back({{"name", setting.name}, {"a", setting.a}, {"b", setting.b}});
   for (const FrameDifferences& frame : differences.frames)
     json["frames"].push_back(
         {{"cells", cellsJson(frame.cells)},

@@ -31,8 +31,14 @@ Json groupsJson(std::span<const GroupLoss> groups, const std::vector<std::string
     Json verdicts;
     for (uint32_t verdict = kVerdictHole; verdict < kVerdictCount; ++verdict)
       verdicts[std::string(verdictName(verdict).key)] = group.verdicts[verdict];
-    list.push_back({{"index", group.index}, {"name", nameOf(names, group.index)}, {"rays", group.rays}, {"stored", group.stored},
-                    {"lost", group.lost}, {"lostRays", group.lostRays}, {"triangles", group.triangles}, {"verdicts", verdicts},
+    list.push_back({{"index", group.index},
+                    {"name", nameOf(names, group.index)},
+                    {"rays", group.rays},
+                    {"stored", group.stored},
+                    {"lost", group.lost},
+                    {"lostRays", group.lostRays},
+                    {"triangles", group.triangles},
+                    {"verdicts", verdicts},
                     {"where", whereJson(group)}});
   }
   return list;
@@ -42,17 +48,23 @@ Json worstCellsJson(const Ledger& ledger) {
   Json list = Json::array();
   for (size_t i : worstOf(ledger.cells, kMostRows)) {
     const CellLoss& cell = ledger.cells[i];
-    list.push_back({{"cell", cellJson(cell.cell)}, {"rays", cell.rays}, {"tried", cell.tried}, {"stored", cell.stored},
-                    {"refused", cell.refused}});
+    list.push_back(
+        {{"cell", cellJson(cell.cell)}, {"rays", cell.rays}, {"tried", cell.tried}, {"stored", cell.stored}, {"refused", cell.refused}});
   }
   return list;
 }
 
 Json rayJson(const ExplainReport& report, uint32_t ray) {
   const RayTruth& truth = report.frame.truths[ray];
-  return {{"pixel", {ray % report.width, ray / report.width}}, {"verdict", verdictName(truth.verdict).key},
-          {"cause", causeName(truth.cause).key}, {"off", distanceOff(report.frame, ray)}, {"cell", cellJson(truth.cell)},
-          {"reference", truth.reference}, {"exactReference", truth.exactReference}, {"exactT", truth.exactT}, {"segment", truth.segment}};
+  return {{"pixel", {ray % report.width, ray / report.width}},
+          {"verdict", verdictName(truth.verdict).key},
+          {"cause", causeName(truth.cause).key},
+          {"off", distanceOff(report.frame, ray)},
+          {"cell", cellJson(truth.cell)},
+          {"reference", truth.reference},
+          {"exactReference", truth.exactReference},
+          {"exactT", truth.exactT},
+          {"segment", truth.segment}};
 }
 
 void addProofs(Json& json, const ProofTotals& proofs) {
@@ -67,10 +79,10 @@ void addProofs(Json& json, const ProofTotals& proofs) {
   json["confirmedShare"] = sum.total == 0 ? 1.0 : double(sum.alone + sum.chain) / double(sum.total);
   json["aloneShare"] = sum.total == 0 ? 1.0 : double(sum.alone) / double(sum.total);
   const auto share = [&](uint64_t confirmed) { return sum.controlTotal == 0 ? 0.0 : double(confirmed) / double(sum.controlTotal); };
-  json["control"] = {{"confirmed", sum.controlConfirmed}, {"total", sum.controlTotal}, {"share", share(sum.controlConfirmed)},
-                     {"causes", controls}};
-  json["controlChain"] = {{"confirmed", sum.controlChained}, {"total", sum.controlTotal}, {"share", share(sum.controlChained)},
-                          {"causes", chains}};
+  json["control"] = {
+      {"confirmed", sum.controlConfirmed}, {"total", sum.controlTotal}, {"share", share(sum.controlConfirmed)}, {"causes", controls}};
+  json["controlChain"] = {
+      {"confirmed", sum.controlChained}, {"total", sum.controlTotal}, {"share", share(sum.controlChained)}, {"causes", chains}};
   json["mostLinks"] = proofs.mostLinks;
   json["notConfirmed"] = proofs.notConfirmed.size();
 }
@@ -89,8 +101,8 @@ Json referencesJson(std::span<const uint32_t> references, const NumberedScene& s
 Json proofJson(const Proof& proof) {
   Json json = {{"confirmed", proof.confirmed}, {"foreign", proof.foreign}, {"links", Json::array()}};
   for (const TruthEvent& link : proof.links)
-    json["links"].push_back({{"cause", causeName(link.cause).key}, {"cell", cellJson(link.cell)}, {"reference", link.reference},
-                             {"segment", link.segment}});
+    json["links"].push_back(
+        {{"cause", causeName(link.cause).key}, {"cell", cellJson(link.cell)}, {"reference", link.reference}, {"segment", link.segment}});
   return json;
 }
 
@@ -123,7 +135,8 @@ void addTruthTotals(Json& json, const TruthTotals& totals) {
 void addGridTotals(Json& json, const GridTotals& grid, bool countsRefused) {
   const GridStatistics& cells = grid.statistics;
   const auto counted = [&](uint64_t count) { return countsRefused ? Json(count) : Json(nullptr); };
-  json["references"] = {{"tried", counted(grid.stored() + grid.refused())}, {"stored", grid.stored()}, {"refused", counted(grid.refused())}};
+  json["references"] = {
+      {"tried", counted(grid.stored() + grid.refused())}, {"stored", grid.stored()}, {"refused", counted(grid.refused())}};
   json["cells"] = {{"occupied", cells.occupied}, {"saturated", cells.saturated}, {"maxDemand", counted(cells.maxDemand)}};
 }
 

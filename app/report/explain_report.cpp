@@ -39,8 +39,10 @@ void printCauses(std::FILE* out, const ExplainReport& report) {
     if (totals.causes[cause] == 0) continue;
     std::vector<std::string> row = {std::string(causeName(cause).title), grouped(totals.causes[cause]),
                                     percentOf(totals.causes[cause], totals.differ())};
-    if (!report.proofs) row.push_back(std::string(causeName(cause).about));
-    else for (std::string& text : proofCells(report.proofs->causes[cause])) row.push_back(std::move(text));
+    if (!report.proofs)
+      row.push_back(std::string(causeName(cause).about));
+    else
+      for (std::string& text : proofCells(report.proofs->causes[cause])) row.push_back(std::move(text));
     table.add(row);
   }
   std::vector<std::string> sum = {"together", grouped(totals.differ()), ""};
@@ -50,11 +52,12 @@ void printCauses(std::FILE* out, const ExplainReport& report) {
   table.print(out);
   if (report.proofs) {
     const ProofTotals::Count proven = report.proofs->sum();
-    std::fprintf(out,
-                 "%s of the causes confirmed, %s alone; the longest chain has %s links. Control: another ray's event of the same cause removed "
-                 "first, alone and then going on as a chain.\n",
-                 percentOf(proven.alone + proven.chain, proven.total).c_str(), percentOf(proven.alone, proven.total).c_str(),
-                 grouped(report.proofs->mostLinks).c_str());
+    std::fprintf(
+        out,
+        "%s of the causes confirmed, %s alone; the longest chain has %s links. Control: another ray's event of the same cause removed "
+        "first, alone and then going on as a chain.\n",
+        percentOf(proven.alone + proven.chain, proven.total).c_str(), percentOf(proven.alone, proven.total).c_str(),
+        grouped(report.proofs->mostLinks).c_str());
   }
 }
 
@@ -102,8 +105,14 @@ ToldRay tellRay(const ExplainReport& report, const CaptureNames& names, uint32_t
   const TruthInput input = frame.input();
   ToldRay told{.pixel = pixel};
   if (report.proofs) told.proof = proveRay(input, frame.rays[pixel], frame.hits[pixel], frame.exact[pixel], frame.truths[pixel]);
-  told.story = tellPixel({.truth = input, .names = names, .pixel = pixel, .width = report.width, .ray = frame.rays[pixel],
-                          .traced = frame.hits[pixel], .exact = frame.exact[pixel], .told = frame.truths[pixel],
+  told.story = tellPixel({.truth = input,
+                          .names = names,
+                          .pixel = pixel,
+                          .width = report.width,
+                          .ray = frame.rays[pixel],
+                          .traced = frame.hits[pixel],
+                          .exact = frame.exact[pixel],
+                          .told = frame.truths[pixel],
                           .proof = told.proof ? &*told.proof : nullptr});
   return told;
 }

@@ -7,22 +7,23 @@
 #include <nlohmann/json.hpp>
 
 #include "app/report/pixel_story.h"
-#include "core/pipeline/frame_truth.h"
 #include "core/grid/invariants.h"
+#include "core/pipeline/frame_truth.h"
 
 namespace gridscope {
 
 struct ExplainReport {
   FrameTruth frame;
-  uint32_t frameNumber = 0;              // of a sequence
-  GridTotals grid;                       // of the device
-  bool countsRefused = true;             // the grid counts what it refuses; otherwise references tried and refused are not known
-  std::optional<uint64_t> foreignHits;   // of a capture's hits: how many are not what the trace ends with; nothing: the trace's are explained
+  uint32_t frameNumber = 0;   // of a sequence
+  GridTotals grid;            // of the device
+  bool countsRefused = true;  // the grid counts what it refuses; otherwise references tried and refused are not known
+  std::optional<uint64_t>
+      foreignHits;  // of a capture's hits: how many are not what the trace ends with; nothing: the trace's are explained
   Ledger ledger;
-  std::optional<ProofTotals> proofs;     // of --verify
-  std::vector<uint32_t> worst;           // rays, the worst first
-  uint32_t width = 0;                    // of the frame, pixels
-  double explainMs = 0.0;                // demand, exact hits and causes
+  std::optional<ProofTotals> proofs;  // of --verify
+  std::vector<uint32_t> worst;        // rays, the worst first
+  uint32_t width = 0;                 // of the frame, pixels
+  double explainMs = 0.0;             // demand, exact hits and causes
   double proveMs = 0.0;
 };
 

@@ -1,12 +1,12 @@
 // See findings.h.
 #include "app/report/findings.h"
 
-#include "core/trace/cell_rays.h"
-#include "core/grid/cell_updates.h"
 #include "core/base/error.h"
+#include "core/grid/cell_updates.h"
 #include "core/pipeline/frame_capture.h"
 #include "core/pipeline/frame_truth.h"
 #include "core/pipeline/stability.h"
+#include "core/trace/cell_rays.h"
 
 namespace gridscope {
 
@@ -16,7 +16,8 @@ Findings::Findings(Session& session, const Options& options) : session_(session)
 
 void Findings::beforeUpdate() {
   if (!needs(ViewNeed::cellUpdates)) return;
-  if (session_.capture() && !builtHere(*session_.capture())) throw Error(options_.scene + ": its grid was built elsewhere, and no update changes it");
+  if (session_.capture() && !builtHere(*session_.capture()))
+    throw Error(options_.scene + ": its grid was built elsewhere, and no update changes it");
   before_ = session_.pipeline().grid();
 }
 

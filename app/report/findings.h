@@ -15,8 +15,8 @@ class Findings {
   // Both must outlive this.
   Findings(Session& session, const Options& options);
 
-  void beforeUpdate();                 // keeps the grid for what tells updates
-  void afterTrace(uint32_t frame);     // may build and trace again
+  void beforeUpdate();              // keeps the grid for what tells updates
+  void afterTrace(uint32_t frame);  // may build and trace again
 
  private:
   bool needs(ViewNeed need) const { return needs_.contains(need); }

@@ -16,14 +16,22 @@ static Json vectorJson(const ivec3& v) { return Json::array({v.x, v.y, v.z}); }
 
 static Json referencesJson(const FrameReport& frame) {
   const GridStatistics& s = frame.grid.statistics;
-  return {{"tried", frame.tried}, {"stored", frame.grid.stored()}, {"refused", frame.grid.refused()}, {"outside", frame.triangles.outside},
-          {"staticStored", s.staticStored}, {"staticRefused", s.staticRefused},
-          {"dynamicStored", s.dynamicStored}, {"dynamicRefused", s.dynamicRefused}};
+  return {{"tried", frame.tried},
+          {"stored", frame.grid.stored()},
+          {"refused", frame.grid.refused()},
+          {"outside", frame.triangles.outside},
+          {"staticStored", s.staticStored},
+          {"staticRefused", s.staticRefused},
+          {"dynamicStored", s.dynamicStored},
+          {"dynamicRefused", s.dynamicRefused}};
 }
 
 static Json cellsJson(const FrameReport& frame) {
   const GridStatistics& s = frame.grid.statistics;
-  return {{"occupied", s.occupied}, {"saturated", s.saturated}, {"maxDemand", s.maxDemand}, {"occupancyHistogram", frame.grid.occupancyHistogram}};
+  return {{"occupied", s.occupied},
+          {"saturated", s.saturated},
+          {"maxDemand", s.maxDemand},
+          {"occupancyHistogram", frame.grid.occupancyHistogram}};
 }
 
 static Json raysJson(const RayTotals& rays) {
@@ -33,31 +41,45 @@ static Json raysJson(const RayTotals& rays) {
 static Json summaryJson(const Summary& summary) { return {{"mean", summary.mean}, {"p99", summary.p99}, {"max", summary.max}}; }
 
 static Json timesJson(const StageTimes& t) {
-  return {{"build", t.build}, {"clear", t.clear}, {"add", t.add}, {"gather", t.gather}, {"bounce", t.bounce}, {"trace", t.trace}, {"views", t.views}};
+  return {{"build", t.build},   {"clear", t.clear}, {"add", t.add},    {"gather", t.gather},
+          {"bounce", t.bounce}, {"trace", t.trace}, {"views", t.views}};
 }
 
 static Json frameJson(const FrameReport& frame, const GridParameters& grid) {
   const uint64_t cells = uint64_t(grid.cellCount.x) * uint64_t(grid.cellCount.y) * uint64_t(grid.cellCount.z);
-  return {{"frame", frame.frame}, {"timeSeconds", frame.timeSeconds}, {"references", referencesJson(frame)}, {"cells", cellsJson(frame)},
-          {"rays", raysJson(frame.rays)}, {"timesMs", timesJson(frame.times)},
+  return {{"frame", frame.frame},
+          {"timeSeconds", frame.timeSeconds},
+          {"references", referencesJson(frame)},
+          {"cells", cellsJson(frame)},
+          {"rays", raysJson(frame.rays)},
+          {"timesMs", timesJson(frame.times)},
           {"update", {{"cellsRebuilt", frame.update.cellsRebuilt}, {"cellsTouched", frame.update.cellsTouched}, {"cells", cells}}}};
 }
 
 Json deviceJson(const Session& session) {
-  return {{"version", GRIDSCOPE_VERSION}, {"device", session.deviceName()}, {"driver", session.deviceReport().driver},
+  return {{"version", GRIDSCOPE_VERSION},
+          {"device", session.deviceName()},
+          {"driver", session.deviceReport().driver},
           {"vulkanDevice", session.deviceReport().name}};
 }
 
 Json sceneJson(const Session& session) {
   const NumberedScene& numbered = session.pipeline().numbered();
-  return {{"name", session.scene().name}, {"triangles", numbered.triangleCount}, {"instances", numbered.instanceCount()},
-          {"staticInstances", numbered.staticInstanceCount}, {"dynamicInstances", numbered.dynamicInstanceCount()},
+  return {{"name", session.scene().name},
+          {"triangles", numbered.triangleCount},
+          {"instances", numbered.instanceCount()},
+          {"staticInstances", numbered.staticInstanceCount},
+          {"dynamicInstances", numbered.dynamicInstanceCount()},
           {"materials", session.scene().materials.size()}};
 }
 
 Json gridJson(const GridParameters& grid) {
-  return {{"cells", vectorJson(grid.cellCount)}, {"capacity", grid.capacity}, {"stride", grid.stride},
-          {"stretch", std::string(1, "xyz"[grid.stretchAxis])}, {"cellEdge", grid.cellEdge}, {"origin", vectorJson(grid.origin)},
+  return {{"cells", vectorJson(grid.cellCount)},
+          {"capacity", grid.capacity},
+          {"stride", grid.stride},
+          {"stretch", std::string(1, "xyz"[grid.stretchAxis])},
+          {"cellEdge", grid.cellEdge},
+          {"origin", vectorJson(grid.origin)},
           {"bytes", gridByteCount(grid)}};
 }
 

@@ -12,8 +12,8 @@ struct JUnitCase {
   enum class Outcome { passed, failure, error, skipped };
   std::string name;
   Outcome outcome = Outcome::passed;
-  std::string message;      // one line; of anything but passed
-  std::string details;      // lines below it
+  std::string message;  // one line; of anything but passed
+  std::string details;  // lines below it
   double seconds = 0.0;
 };
 

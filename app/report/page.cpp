@@ -40,8 +40,12 @@ std::string pageHtml(const ReportPage& page) {
                 markupText(section.title) + "</h2><div class=\"body\">\n" + section.html + "</div></section>\n";
   }
   return filled(bytesBetween(gridscope_page_html, gridscope_page_html_end),
-                {{"title", markupText(page.title)}, {"heading", markupText(page.title)}, {"lead", markupText(page.lead)},
-                 {"navigation", navigation}, {"sections", sections}, {"footer", markupText(page.footer)},
+                {{"title", markupText(page.title)},
+                 {"heading", markupText(page.title)},
+                 {"lead", markupText(page.lead)},
+                 {"navigation", navigation},
+                 {"sections", sections},
+                 {"footer", markupText(page.footer)},
                  {"css", std::string(bytesBetween(gridscope_page_css, gridscope_page_css_end))},
                  {"js", std::string(bytesBetween(gridscope_page_js, gridscope_page_js_end))}});
 }

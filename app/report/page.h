@@ -8,17 +8,17 @@
 namespace gridscope {
 
 struct PageSection {
-  std::string id;           // of the link to it: letters and hyphens
-  std::string title;        // text
+  std::string id;     // of the link to it: letters and hyphens
+  std::string title;  // text
   std::string html;
 };
 
 struct ReportPage {
-  std::string title;        // text; the browser's and the heading
-  std::string lead;         // text; a sentence below the heading
-  std::string tiles;        // HTML, before the sections
+  std::string title;  // text; the browser's and the heading
+  std::string lead;   // text; a sentence below the heading
+  std::string tiles;  // HTML, before the sections
   std::vector<PageSection> sections;
-  std::string footer;       // text
+  std::string footer;  // text
 };
 
 std::string pageHtml(const ReportPage& page);

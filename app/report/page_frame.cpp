@@ -4,10 +4,10 @@
 #include <algorithm>
 
 #include "app/report/findings.h"
-#include "core/trace/cell_rays.h"
 #include "core/grid/cell_updates.h"
-#include "core/trace/invariants_frame.h"
 #include "core/pipeline/stability.h"
+#include "core/trace/cell_rays.h"
+#include "core/trace/invariants_frame.h"
 
 namespace gridscope {
 
@@ -38,8 +38,13 @@ PagePicture paint(const View& view, Pipeline& pipeline, const SliceSettings& sli
   const FrameSettings& settings = pipeline.settings();
   const GridParameters& grid = pipeline.parameters().grid;
   const int layers = grid.cellCount[slice.axis];
-  const ViewPictureSettings how{.legend = false, .capacity = uint32_t(grid.capacity), .frameWidth = settings.width, .frameHeight = settings.height,
-                                .sliceAxis = slice.axis, .sliceIndex = slice.index < 0 ? layers / 2 : slice.index, .sliceCount = layers};
+  const ViewPictureSettings how{.legend = false,
+                                .capacity = uint32_t(grid.capacity),
+                                .frameWidth = settings.width,
+                                .frameHeight = settings.height,
+                                .sliceAxis = slice.axis,
+                                .sliceIndex = slice.index < 0 ? layers / 2 : slice.index,
+                                .sliceCount = layers};
   const Pipeline::ViewImage image = pipeline.view(view.name, slice, view.needsGrid);
   return {&view, makeViewPicture(view, image.elements, image.width, image.height, how)};
 }
@@ -86,7 +91,8 @@ void testFrame(Session& session, PageFrame& frame) {
   GridFacts facts{.grid = truth.grid, .scene = *truth.scene, .demand = &truth.demand, .builtBy = session.builtBy()};
   facts.tried = session.capture() ? truth.demand.total() : session.pipeline().referencesTried();
   frame.invariants = testGrid(facts);
-  for (Invariant& invariant : testFrameHits(*truth.scene, truth.parameters, truth.rays, truth.hits)) frame.invariants.push_back(std::move(invariant));
+  for (Invariant& invariant : testFrameHits(*truth.scene, truth.parameters, truth.rays, truth.hits))
+    frame.invariants.push_back(std::move(invariant));
 }
 
 // What views read beside the products.
@@ -110,8 +116,12 @@ void useFindings(Session& session, const Options& options, const std::vector<con
 
 PageFrame makePageFrame(const Options& options, Session& session, Progress& progress) {
   Pipeline& pipeline = session.pipeline();
-  PageFrame frame{.scene = session.scene().name, .device = session.deviceName() + ", " + session.deviceReport().driver, .names = session.names(),
-                  .frameCount = session.frameCount(), .settings = pipeline.settings(), .grid = pipeline.parameters().grid};
+  PageFrame frame{.scene = session.scene().name,
+                  .device = session.deviceName() + ", " + session.deviceReport().driver,
+                  .names = session.names(),
+                  .frameCount = session.frameCount(),
+                  .settings = pipeline.settings(),
+                  .grid = pipeline.parameters().grid};
   frame.warnings = session.scene().warnings;
   std::vector<std::string> arguments = options.arguments;
   arguments.insert(arguments.begin(), "gridscope");

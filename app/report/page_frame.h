@@ -18,20 +18,20 @@ struct PagePicture {
 };
 
 struct PageFrame {
-  std::string scene;                     // its name
-  std::string device;                    // that ran build, update and trace; and its driver
+  std::string scene;   // its name
+  std::string device;  // that ran build, update and trace; and its driver
   CaptureNames names;
-  uint32_t frameCount = 1;               // of the captured sequence that it is one of
+  uint32_t frameCount = 1;  // of the captured sequence that it is one of
   FrameSettings settings;
   GridParameters grid{};
-  RenderReport rendered;                 // one frame
-  std::vector<std::vector<std::string>> statistics;   // rows of a name and a text
+  RenderReport rendered;                             // one frame
+  std::vector<std::vector<std::string>> statistics;  // rows of a name and a text
   ExplainReport explained;
-  std::vector<RayCounters> counters;     // one a ray
-  std::vector<Invariant> invariants;     // of the grid and the hits
-  std::vector<std::string> warnings;     // of the scene
-  std::vector<PagePicture> pictures;     // in the order of all views
-  std::string command;                   // that makes the page again
+  std::vector<RayCounters> counters;  // one a ray
+  std::vector<Invariant> invariants;  // of the grid and the hits
+  std::vector<std::string> warnings;  // of the scene
+  std::vector<PagePicture> pictures;  // in the order of all views
+  std::string command;                // that makes the page again
 };
 
 // Steps that the progress of a page counts, the views' apart.

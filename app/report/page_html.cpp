@@ -40,7 +40,8 @@ void PageTable::add(std::vector<PageCell> cells, bool marked) {
 }
 
 std::string PageTable::html(std::string_view whenEmpty) const {
-  if (empty()) return (caption_.empty() ? "" : "<h3>" + markupText(caption_) + "</h3>") + "<p class=\"dim\">" + markupText(whenEmpty) + "</p>\n";
+  if (empty())
+    return (caption_.empty() ? "" : "<h3>" + markupText(caption_) + "</h3>") + "<p class=\"dim\">" + markupText(whenEmpty) + "</p>\n";
   std::string html = std::string("<div class=\"scroll\"><table") + (caption_.empty() ? "" : " class=\"sortable\"") + ">";
   if (!caption_.empty()) html += "<caption>" + markupText(caption_) + "</caption>";
   return html + "<thead><tr>" + head_ + "</tr></thead><tbody>\n" + body_ + "</tbody></table></div>\n";

@@ -38,7 +38,7 @@ struct PageCell {
   bool isBar = false;
   bool isPixel = false;
   double share = 0.0;
-  std::string colour;       // in CSS, of the bar or of a swatch before the text; empty: the page's own, or none
+  std::string colour;  // in CSS, of the bar or of a swatch before the text; empty: the page's own, or none
 };
 
 // With a caption a table can be sorted by its columns; marked rows, the sums, then stay below.

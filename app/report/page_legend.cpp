@@ -50,7 +50,10 @@ std::string swatchSvg(const Meaning& meaning) {
     case Swatch::ring: shape = "<circle cx=\"6\" cy=\"6\" r=\"4.5\" stroke-width=\"2\"" + stroke + "/>"; break;
     case Swatch::dot: shape = "<circle cx=\"6\" cy=\"6\" r=\"3.5\"" + fill + "/>"; break;
     case Swatch::line: shape = "<path d=\"M0 6H12\" stroke-width=\"3\" stroke-dasharray=\"3 2\"" + stroke + "/>"; break;
-    case Swatch::hatch: shape = "<rect width=\"12\" height=\"12\" rx=\"2\"" + fill + "/><path d=\"M0 6L6 0M0 12L12 0M6 12L12 6\" stroke=\"#14171B\" stroke-width=\"1.5\"/>"; break;
+    case Swatch::hatch:
+      shape = "<rect width=\"12\" height=\"12\" rx=\"2\"" + fill +
+              "/><path d=\"M0 6L6 0M0 12L12 0M6 12L12 6\" stroke=\"#14171B\" stroke-width=\"1.5\"/>";
+      break;
   }
   return "<svg viewBox=\"0 0 12 12\" width=\"12\" height=\"12\" aria-hidden=\"true\">" + shape + "</svg>";
 }

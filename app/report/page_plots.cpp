@@ -16,8 +16,13 @@ std::string plotHtml(const HistogramPlot& plot) { return "<div>" + svgOf(drawHis
 
 HistogramPlot occupancyPlot(const PageFrame& frame) {
   const std::vector<uint32_t>& histogram = frame.rendered.frames.back().grid.occupancyHistogram;
-  HistogramPlot plot{.title = "References that cells hold (cells that hold none left out)", .xTitle = "references in the cell", .yTitle = "cells",
-                     .first = 1.0, .colour = kColourTested, .markedColour = kColourSaturated, .markedWords = "full"};
+  HistogramPlot plot{.title = "References that cells hold (cells that hold none left out)",
+                     .xTitle = "references in the cell",
+                     .yTitle = "cells",
+                     .first = 1.0,
+                     .colour = kColourTested,
+                     .markedColour = kColourSaturated,
+                     .markedWords = "full"};
   plot.counts.assign(histogram.begin() + std::min<ptrdiff_t>(1, ptrdiff_t(histogram.size())), histogram.end());
   plot.markedFrom = plot.counts.empty() ? SIZE_MAX : plot.counts.size() - 1;
   return plot;
@@ -37,7 +42,7 @@ HistogramPlot demandPlot(const PageFrame& frame) {
   return plot;
 }
 
-HistogramPlot counterPlot(const PageFrame& frame, uint32_t RayCounters::* counter, const char* title, const char* xTitle) {
+HistogramPlot counterPlot(const PageFrame& frame, uint32_t RayCounters::*counter, const char* title, const char* xTitle) {
   std::vector<uint32_t> values;
   for (size_t ray = 0; ray < frame.counters.size(); ++ray)
     if (frame.explained.frame.rays[ray].valid) values.push_back(frame.counters[ray].*counter);
@@ -52,8 +57,9 @@ HistogramPlot counterPlot(const PageFrame& frame, uint32_t RayCounters::* counte
 }  // namespace
 
 std::string plotsHtml(const PageFrame& frame) {
-  return "<p class=\"dim\">Heights are logarithmic. Rest the mouse on a bar for its numbers.</p><div class=\"columns plots\">\n" + plotHtml(occupancyPlot(frame)) +
-         plotHtml(demandPlot(frame)) + plotHtml(counterPlot(frame, &RayCounters::visits, "Cells that rays visited", "cells visited by the ray")) +
+  return "<p class=\"dim\">Heights are logarithmic. Rest the mouse on a bar for its numbers.</p><div class=\"columns plots\">\n" +
+         plotHtml(occupancyPlot(frame)) + plotHtml(demandPlot(frame)) +
+         plotHtml(counterPlot(frame, &RayCounters::visits, "Cells that rays visited", "cells visited by the ray")) +
          plotHtml(counterPlot(frame, &RayCounters::tests, "Triangle tests of rays", "tests of the ray")) + "</div>\n";
 }
 

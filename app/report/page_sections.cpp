@@ -4,11 +4,11 @@
 #include <span>
 #include <utility>
 
+#include "app/base/text.h"
 #include "app/report/capture_pictures.h"
 #include "app/report/page_html.h"
 #include "app/report/page_legend.h"
 #include "app/session/settings_table.h"
-#include "app/base/text.h"
 #include "core/base/error.h"
 #include "core/base/write_file.h"
 #include "shaders/shared/truth/truth_colours.h"
@@ -19,7 +19,8 @@ namespace gridscope {
 namespace {
 
 std::string tile(const std::string& figure, const std::string& words, uint32_t colour) {
-  return "<div class=\"tile\" style=\"--mark:" + cssColour(colour) + "\"><b>" + markupText(figure) + "</b><span>" + markupText(words) + "</span></div>";
+  return "<div class=\"tile\" style=\"--mark:" + cssColour(colour) + "\"><b>" + markupText(figure) + "</b><span>" + markupText(words) +
+         "</span></div>";
 }
 
 // An image of the gallery; alone it says all that the comparison adds a wipe to.
@@ -27,11 +28,11 @@ std::string figureHtml(const PagePicture& picture) {
   const View& view = *picture.view;
   const Picture& pixels = picture.shown.picture;
   const std::string title = markupText(view.title), name(view.name);
-  const char* kind = view.scope == ViewScope::slice ? "slice" : "ray";   // slices are no picture of the frame: nothing to compare
+  const char* kind = view.scope == ViewScope::slice ? "slice" : "ray";  // slices are no picture of the frame: nothing to compare
   return std::string("<figure class=\"") + kind + "\" id=\"view-" + name + "\" data-title=\"" + title + "\">" +
-         printed("<img class=\"picture\" width=\"%u\" height=\"%u\" alt=\"", pixels.width, pixels.height) + title + "\" src=\"" + pngDataUri(pngBytes(pixels)) +
-         "\"/><div class=\"legend\">" + legendHtml(view, picture.shown) + "</div><figcaption><b>" + title + "</b>" + markupText(view.about) +
-         "<br/></figcaption></figure>\n";
+         printed("<img class=\"picture\" width=\"%u\" height=\"%u\" alt=\"", pixels.width, pixels.height) + title + "\" src=\"" +
+         pngDataUri(pngBytes(pixels)) + "\"/><div class=\"legend\">" + legendHtml(view, picture.shown) + "</div><figcaption><b>" + title +
+         "</b>" + markupText(view.about) + "<br/></figcaption></figure>\n";
 }
 
 // Which group of pictures a view belongs to.
@@ -40,12 +41,16 @@ struct PictureGroup {
   bool (*has)(const View& view);
 };
 bool ofTruth(const View& view) { return view.need == ViewNeed::truth || view.need == ViewNeed::triangleCosts; }
-bool ofGrid(const View& view) { return !ofTruth(view) && (view.needsGrid || view.scope == ViewScope::slice || view.need != ViewNeed::nothing); }
+bool ofGrid(const View& view) {
+  return !ofTruth(view) && (view.needsGrid || view.scope == ViewScope::slice || view.need != ViewNeed::nothing);
+}
 constexpr PictureGroup kGroups[] = {
     {"What is wrong, and why", ofTruth},
-    {"The rays", [](const View& view) { return !ofTruth(view) && !ofGrid(view) && (view.scope == ViewScope::ray || view.name == "final"); }},
+    {"The rays",
+     [](const View& view) { return !ofTruth(view) && !ofGrid(view) && (view.scope == ViewScope::ray || view.name == "final"); }},
     {"The grid", ofGrid},
-    {"What the camera sees", [](const View& view) { return !ofTruth(view) && !ofGrid(view) && view.scope != ViewScope::ray && view.name != "final"; }},
+    {"What the camera sees",
+     [](const View& view) { return !ofTruth(view) && !ofGrid(view) && view.scope != ViewScope::ray && view.name != "final"; }},
 };
 
 constexpr const char* kCompare = R"(<div class="compare" id="compare" hidden="hidden">
@@ -62,11 +67,12 @@ constexpr const char* kCompare = R"(<div class="compare" id="compare" hidden="hi
 
 std::string leadOf(const PageFrame& frame) {
   const TruthTotals& totals = frame.explained.frame.totals;
-  std::string lead = printed("%s of %s rays are wrong (%s): holes, wrong voxel hits, hits too far or too near. ", grouped(totals.wrong()).c_str(),
-                             grouped(totals.rays).c_str(), percentOf(totals.wrong(), totals.rays).c_str());
+  std::string lead = printed("%s of %s rays are wrong (%s): holes, wrong voxel hits, hits too far or too near. ",
+                             grouped(totals.wrong()).c_str(), grouped(totals.rays).c_str(), percentOf(totals.wrong(), totals.rays).c_str());
   lead += gridText(frame.grid) + "; " + frame.device + ".";
   if (frame.frameCount > 1) lead += printed(" Frame %u of frames 0 to %u.", frame.explained.frameNumber, frame.frameCount - 1);
-  if (frame.explained.foreignHits.value_or(0) > 0) lead += " " + foreignHitsText(*frame.explained.foreignHits) + "; visits and tests are this trace's.";
+  if (frame.explained.foreignHits.value_or(0) > 0)
+    lead += " " + foreignHitsText(*frame.explained.foreignHits) + "; visits and tests are this trace's.";
   return lead;
 }
 
@@ -79,7 +85,8 @@ std::string tilesHtml(const PageFrame& frame) {
   std::string html = "<div class=\"tiles\">" + tile(percentOf(totals.wrong(), totals.rays), "rays wrong", kColourHole);
   for (uint32_t verdict : {kVerdictHole, kVerdictVoxelWrong, kVerdictTooFar, kVerdictTooNear, kVerdictVoxelRight})
     html += tile(share(verdict), std::string(verdictName(verdict).title), verdictColour(verdict));
-  if (frame.explained.countsRefused) html += tile(percentOf(report.grid.refused(), report.grid.stored() + report.grid.refused()), "references refused", kColourSaturated);
+  if (frame.explained.countsRefused)
+    html += tile(percentOf(report.grid.refused(), report.grid.stored() + report.grid.refused()), "references refused", kColourSaturated);
   html += tile(percentOf(report.grid.statistics.saturated, report.grid.statistics.occupied), "occupied cells saturated", kColourSaturated);
   html += tile(byteText(gridByteCount(frame.grid)), "memory of the grid", kColourDim);
   return html + tile(printed(report.times.trace < 100.0 ? "%.2f ms" : "%.0f ms", report.times.trace), "trace", kColourDim) + "</div>\n";
@@ -122,7 +129,8 @@ std::string settingsHtml(const PageFrame& frame) {
 }
 
 std::string deviceHtml(const PageFrame& frame) {
-  return paragraph("Build, update and trace ran on " + frame.device + ", gridscope " + GRIDSCOPE_VERSION + ". The exact hits were found on the CPU, among all triangles, without a grid.") +
+  return paragraph("Build, update and trace ran on " + frame.device + ", gridscope " + GRIDSCOPE_VERSION +
+                   ". The exact hits were found on the CPU, among all triangles, without a grid.") +
          "<h3>Make this page again</h3>" + codeBlock(frame.command);
 }
 

@@ -29,13 +29,17 @@ struct BriefTeller {
   StoryWriter& named(uint32_t reference) { return story.mesh(reference).text(", ").triangleAlone(reference); }
 
   void tellAgreement() {
-    if (surface()) story.text("The reflection shows "), named(input.exact.reference).text(", as it should.");
-    else story.text("The reflection shows no surface, as it should: none lies on the ray's way.");
+    if (surface())
+      story.text("The reflection shows "), named(input.exact.reference).text(", as it should.");
+    else
+      story.text("The reflection shows no surface, as it should: none lies on the ray's way.");
   }
 
   void tellShould() {
-    if (surface()) story.text("The reflection should show "), named(input.exact.reference).text(". ");
-    else story.text("The reflection should show no surface: none lies on the ray's way. ");
+    if (surface())
+      story.text("The reflection should show "), named(input.exact.reference).text(". ");
+    else
+      story.text("The reflection should show no surface: none lies on the ray's way. ");
   }
 
   // "53 references tried, 32 stored".
@@ -51,9 +55,12 @@ struct BriefTeller {
 
   void tellGate() {
     tellRefused();
-    const auto step = std::ranges::find_if(record.steps, [&](const StepRecord& one) { return one.segment == told.segment && one.cell == told.cell; });
+    const auto step =
+        std::ranges::find_if(record.steps, [&](const StepRecord& one) { return one.segment == told.segment && one.cell == told.cell; });
     if (step == record.steps.end()) return;
-    story.text("Its gap was not filled: the ray was only ").number(cellsText(inCells(step->travel))).text(" from the surface that it left, and the gate is ");
+    story.text("Its gap was not filled: the ray was only ")
+        .number(cellsText(inCells(step->travel)))
+        .text(" from the surface that it left, and the gate is ");
     story.number(cellsText(inCells(input.truth.trace.parameters.gate))).text(". ");
   }
 
@@ -65,9 +72,18 @@ struct BriefTeller {
   void tellSteppedOver() {
     const vec2 stay = cellStay(grid.parameters, input.ray, told.cell);
     const int before = int(std::floor(inCells(stay.x)));
-    const auto cellAt = [&](int segment) { return gridCell(grid.parameters, rayPoint(input.ray, float(segment) * grid.parameters.cellEdge)); };
-    story.text("No segment starts in its ").cell(told.cell).text(", where the ray is for ").number(cellsText(inCells(std::max(stay.y - stay.x, 0.0f))));
-    story.text(" only: ").step(before, cellAt(before)).text(" starts before it, ").step(before + 1, cellAt(before + 1)).text(" behind it. ");
+    const auto cellAt = [&](int segment) {
+      return gridCell(grid.parameters, rayPoint(input.ray, float(segment) * grid.parameters.cellEdge));
+    };
+    story.text("No segment starts in its ")
+        .cell(told.cell)
+        .text(", where the ray is for ")
+        .number(cellsText(inCells(std::max(stay.y - stay.x, 0.0f))));
+    story.text(" only: ")
+        .step(before, cellAt(before))
+        .text(" starts before it, ")
+        .step(before + 1, cellAt(before + 1))
+        .text(" behind it. ");
   }
 
   void tellAcceptedEarly() {
@@ -93,7 +109,8 @@ struct BriefTeller {
 
   // "0.19 cells before the surface"; nothing where there is none.
   void tellDistance(const char* between) {
-    if (surface()) story.text(between).number(cellsText(std::abs(told.error))).text(told.error < 0.0f ? " before the surface" : " behind the surface");
+    if (surface())
+      story.text(between).number(cellsText(std::abs(told.error))).text(told.error < 0.0f ? " before the surface" : " behind the surface");
     story.text(".");
   }
 

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <map>
 
-#include "app/report/story_writer.h"
 #include "app/base/text.h"
+#include "app/report/story_writer.h"
 #include "core/truth/cause.h"
 #include "core/truth/reason.h"
 
@@ -16,7 +16,6 @@ namespace {
 
 // The slots of a cell are told by mesh, the most first; more meshes than these are summed up.
 constexpr size_t kMostMeshesTold = 5;
-
 
 std::string edgesText(float edges) { return printed("%.3g cell edges", double(edges)); }
 
@@ -34,8 +33,10 @@ struct Teller {
     if (input.exact.kind != kHitTriangle) return void(story.text("There is no surface on the ray's way.").end());
     story.text("The nearest surface is ").triangle(input.exact.reference).text(", ").number(edgesText(inEdges(input.exact.t)));
     const ivec3 home = hitCell(grid.parameters, input.ray, input.exact);
-    if (gridContains(grid.parameters, home)) story.text(" along the ray, in ").cell(home).text(".").end();
-    else story.text(" along the ray, outside the grid.").end();
+    if (gridContains(grid.parameters, home))
+      story.text(" along the ray, in ").cell(home).text(".").end();
+    else
+      story.text(" along the ray, outside the grid.").end();
   }
 
   void tellEnd() {
@@ -79,7 +80,15 @@ struct Teller {
     const ivec3 from = gridCell(grid.parameters, rayPoint(input.ray, float(before) * edge));
     const ivec3 to = gridCell(grid.parameters, rayPoint(input.ray, float(after) * edge));
     story.text("The ray is in that cell for ").number(edgesText(inEdges(std::max(stay.y - stay.x, 0.0f)))).text(" only: ");
-    story.step(before, from).text(" starts before it in ").cell(from).text(", ").step(after, to).text(" behind it in ").cell(to).text(".").end();
+    story.step(before, from)
+        .text(" starts before it in ")
+        .cell(from)
+        .text(", ")
+        .step(after, to)
+        .text(" behind it in ")
+        .cell(to)
+        .text(".")
+        .end();
   }
 
   // How far the ray was from its launching surface, beside the gate.
@@ -116,7 +125,8 @@ struct Teller {
     const size_t links = proof.links.size();
     if (proof.confirmed && links == 1) return printed("Proof: traced again %s alone, %s", taken, end);
     if (proof.confirmed) return printed("Proof: with these %zu %s, one after the other, %s", links, all, end);
-    return links == 1 ? printed("Not confirmed: traced again %s, %s", taken, other) : printed("Not confirmed: with these %zu %s %s", links, all, other);
+    return links == 1 ? printed("Not confirmed: traced again %s, %s", taken, other)
+                      : printed("Not confirmed: with these %zu %s %s", links, all, other);
   }
 
   void tellProof() {

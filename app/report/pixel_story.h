@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "core/capture/capture.h"
-#include "core/truth/truth.h"
 #include "core/truth/proof.h"
+#include "core/truth/truth.h"
 
 namespace gridscope {
 
@@ -17,23 +17,23 @@ namespace gridscope {
 struct StoryPart {
   enum class Kind { text, mesh, triangle, cell, step, number, refused };  // refused: the word, in its colour
   Kind kind = Kind::text;
-  std::string text;                    // "\n" ends a sentence's line
-  uint32_t reference = kBlank;         // of a triangle; of any triangle of the mesh, for a mesh
-  ivec3 cell{-1};                      // of a cell, and of a step's cell
-  int segment = -1;                    // of a step: StepRecord::segment
+  std::string text;             // "\n" ends a sentence's line
+  uint32_t reference = kBlank;  // of a triangle; of any triangle of the mesh, for a mesh
+  ivec3 cell{-1};               // of a cell, and of a step's cell
+  int segment = -1;             // of a step: StepRecord::segment
 };
 
 // What a story is told from. What it refers to must outlive the call.
 struct StoryInput {
   const TruthInput& truth;
-  const CaptureNames& names;           // of the scene
+  const CaptureNames& names;  // of the scene
   uint32_t pixel = 0;
-  uint32_t width = 0;                  // of the frame, pixels
+  uint32_t width = 0;  // of the frame, pixels
   const Ray& ray;
   const Hit& traced;
   const Hit& exact;
-  const RayTruth& told;                // of this ray
-  const Proof* proof = nullptr;        // null: not proven
+  const RayTruth& told;          // of this ray
+  const Proof* proof = nullptr;  // null: not proven
 };
 
 std::vector<StoryPart> tellPixel(const StoryInput& input);

@@ -12,8 +12,8 @@
 #include <memory>
 
 #include "app/report/capture_pictures.h"
-#include "core/capture/capture.h"
 #include "core/base/error.h"
+#include "core/capture/capture.h"
 #include "core/checks/replay.h"
 
 extern char** environ;
@@ -27,10 +27,15 @@ namespace fs = std::filesystem;
 ReplayReport reportOf(const fs::path& file, const ReplayResult& result) {
   ReplayReport products = ReplayReport::object();
   for (const ReplayedProduct& product : result.products) {
-    products[product.name] = {{"equal", product.different == 0}, {"different", product.different}, {"total", product.total}, {"first", product.first}};
+    products[product.name] = {
+        {"equal", product.different == 0}, {"different", product.different}, {"total", product.total}, {"first", product.first}};
     products[product.name]["distinct"] = product.distinct;
   }
-  return {{"file", file.string()}, {"verdict", verdictName(result.verdict)}, {"reason", result.reason}, {"device", result.device}, {"products", products}};
+  return {{"file", file.string()},
+          {"verdict", verdictName(result.verdict)},
+          {"reason", result.reason},
+          {"device", result.device},
+          {"products", products}};
 }
 
 // One file. A file that can't be read is unusable; the message says why.
@@ -44,7 +49,8 @@ ReplayReport replayFile(const fs::path& file, const Options& options, GpuContext
     leftOut = capture.faults;
     result = replay(capture, {.from = captures.from, .repeat = captures.repeat}, gpu);
     if (!result.reason.empty()) result.reason = file.string() + ": " + result.reason;
-    if (result.different && !captures.differences.empty()) pictures = writeDifference(captures.differences, pictureName(file), sidesOf(capture, *result.different));
+    if (result.different && !captures.differences.empty())
+      pictures = writeDifference(captures.differences, pictureName(file), sidesOf(capture, *result.different));
   } catch (const Error& error) {
     result.verdict = error.exitCode() == kExitDevice ? Verdict::unsupported : Verdict::unusable;
     result.reason = error.what();
@@ -66,8 +72,10 @@ struct Child {
 std::vector<std::string> childArguments(const Child& child, const Options& options) {
   const CaptureOptions& captures = options.captures;
   static constexpr const char* kFrom[] = {"auto", "build", "update", "trace"};
-  std::vector<std::string> arguments = {"gridscope", "replay", "--json", child.results.string(), "--from", kFrom[static_cast<size_t>(captures.from)],
-                                        "--repeat", std::to_string(captures.repeat)};
+  std::vector<std::string> arguments = {"gridscope", "replay",
+                                        "--json",    child.results.string(),
+                                        "--from",    kFrom[static_cast<size_t>(captures.from)],
+                                        "--repeat",  std::to_string(captures.repeat)};
   if (!options.device.empty()) arguments.insert(arguments.end(), {"--device", options.device});
   if (!captures.differences.empty()) arguments.insert(arguments.end(), {"--out", captures.differences.string()});
   if (captures.salvage) arguments.push_back("--salvage");
@@ -96,10 +104,13 @@ std::vector<ReplayReport> finish(const Child& child) {
   waitpid(child.process, &status, 0);
   std::ifstream file(child.results);
   const nlohmann::ordered_json results = nlohmann::ordered_json::parse(file, nullptr, false);
-  if (!results.is_discarded() && results.contains("captures") && results["captures"].size() == child.files.size()) return results["captures"];
+  if (!results.is_discarded() && results.contains("captures") && results["captures"].size() == child.files.size())
+    return results["captures"];
   std::vector<ReplayReport> reports;
-  const std::string reason = WIFSIGNALED(status) ? "its process ended by signal " + std::to_string(WTERMSIG(status)) : "its process gave no result";
-  for (const fs::path& path : child.files) reports.push_back(reportOf(path, {.verdict = Verdict::unsupported, .reason = path.string() + ": " + reason}));
+  const std::string reason =
+      WIFSIGNALED(status) ? "its process ended by signal " + std::to_string(WTERMSIG(status)) : "its process gave no result";
+  for (const fs::path& path : child.files)
+    reports.push_back(reportOf(path, {.verdict = Verdict::unsupported, .reason = path.string() + ": " + reason}));
   return reports;
 }
 
@@ -117,11 +128,15 @@ std::vector<ReplayReport> replayFiles(const std::vector<fs::path>& files, const 
   for (const fs::path& file : files) {
     progress.step(file.filename().string());
     const auto begin = std::chrono::steady_clock::now();
-    if (fault.empty()) reports.push_back(replayFile(file, options, gpu.get()));
-    else reports.push_back(reportOf(file, {.verdict = Verdict::unsupported, .reason = file.string() + ": " + fault, .device = gpu->report().name}));
+    if (fault.empty())
+      reports.push_back(replayFile(file, options, gpu.get()));
+    else
+      reports.push_back(
+          reportOf(file, {.verdict = Verdict::unsupported, .reason = file.string() + ": " + fault, .device = gpu->report().name}));
     reports.back()["seconds"] = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   }
-  if (gpu && gpu->validationMessages() > 0) throw Error("validation reported " + std::to_string(gpu->validationMessages()) + " messages", kExitDifferent);
+  if (gpu && gpu->validationMessages() > 0)
+    throw Error("validation reported " + std::to_string(gpu->validationMessages()) + " messages", kExitDifferent);
   return reports;
 }
 

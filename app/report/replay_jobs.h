@@ -6,8 +6,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/session/options.h"
 #include "app/base/progress.h"
+#include "app/session/options.h"
 
 namespace gridscope {
 

@@ -15,7 +15,8 @@ std::string sceneText(const Session& session, const FrameReport& frame) {
 }
 
 std::string storedText(const char* kind, uint64_t stored, uint64_t refused) {
-  return printed("%s: %s stored, %s refused (%s)", kind, grouped(stored).c_str(), grouped(refused).c_str(), percentOf(refused, stored + refused).c_str());
+  return printed("%s: %s stored, %s refused (%s)", kind, grouped(stored).c_str(), grouped(refused).c_str(),
+                 percentOf(refused, stored + refused).c_str());
 }
 
 void addReferences(Table& table, const FrameReport& frame, bool countsRefused) {
@@ -30,9 +31,9 @@ void addReferences(Table& table, const FrameReport& frame, bool countsRefused) {
 void addCells(Table& table, const FrameReport& frame, const GridParameters& grid) {
   const GridStatistics& s = frame.grid.statistics;
   const uint64_t cells = uint64_t(grid.cellCount.x) * uint64_t(grid.cellCount.y) * uint64_t(grid.cellCount.z);
-  table.add({"cells", printed("%s of %s occupied (%s), %s saturated (%s of those); the fullest wants %s references", grouped(s.occupied).c_str(),
-                              grouped(cells).c_str(), percentOf(s.occupied, cells).c_str(), grouped(s.saturated).c_str(),
-                              percentOf(s.saturated, s.occupied).c_str(), grouped(s.maxDemand).c_str())});
+  table.add({"cells", printed("%s of %s occupied (%s), %s saturated (%s of those); the fullest wants %s references",
+                              grouped(s.occupied).c_str(), grouped(cells).c_str(), percentOf(s.occupied, cells).c_str(),
+                              grouped(s.saturated).c_str(), percentOf(s.saturated, s.occupied).c_str(), grouped(s.maxDemand).c_str())});
 }
 
 void addUpdate(Table& table, const Session& session, const FrameReport& frame) {
@@ -48,17 +49,19 @@ void addRays(Table& table, const FrameReport& frame) {
   const RayTotals& rays = frame.rays;
   table.add({"rays", printed("%s: %s triangle hits (%s), %s voxel hits (%s), %s misses (%s)", grouped(rays.count).c_str(),
                              grouped(rays.triangleHits).c_str(), percentOf(rays.triangleHits, rays.count).c_str(),
-                             grouped(rays.voxelHits).c_str(), percentOf(rays.voxelHits, rays.count).c_str(),
-                             grouped(rays.misses).c_str(), percentOf(rays.misses, rays.count).c_str())});
+                             grouped(rays.voxelHits).c_str(), percentOf(rays.voxelHits, rays.count).c_str(), grouped(rays.misses).c_str(),
+                             percentOf(rays.misses, rays.count).c_str())});
   if (!frame.counters) return;
-  auto text = [](const Summary& s) { return printed("mean %.2f, 99 %% at most %s, max %s a ray", s.mean, grouped(s.p99).c_str(), grouped(s.max).c_str()); };
+  auto text = [](const Summary& s) {
+    return printed("mean %.2f, 99 %% at most %s, max %s a ray", s.mean, grouped(s.p99).c_str(), grouped(s.max).c_str());
+  };
   table.add({"visits", text(frame.counters->visits)});
   table.add({"tests", text(frame.counters->tests)});
 }
 
 std::string timesText(const StageTimes& t) {
-  return printed("build %.2f, clear %.2f, add %.2f, gather %.2f, bounce %.2f, trace %.2f, views %.2f", t.build, t.clear, t.add, t.gather, t.bounce,
-                 t.trace, t.views);
+  return printed("build %.2f, clear %.2f, add %.2f, gather %.2f, bounce %.2f, trace %.2f, views %.2f", t.build, t.clear, t.add, t.gather,
+                 t.bounce, t.trace, t.views);
 }
 
 }  // namespace
@@ -88,7 +91,8 @@ std::string refusedFirst(const GridSettings& settings) {
 }
 
 std::string gridText(const GridParameters& grid) {
-  return printed("%d x %d x %d cells of %.4g, capacity %d", grid.cellCount.x, grid.cellCount.y, grid.cellCount.z, grid.cellEdge, grid.capacity);
+  return printed("%d x %d x %d cells of %.4g, capacity %d", grid.cellCount.x, grid.cellCount.y, grid.cellCount.z, grid.cellEdge,
+                 grid.capacity);
 }
 
 Table reportTable(const Session& session, const RenderReport& report) {
@@ -112,7 +116,8 @@ Table reportTable(const Session& session, const RenderReport& report) {
 void printReport(std::FILE* out, const Session& session, const RenderReport& report) { reportTable(session, report).print(out); }
 
 void printExact(std::FILE* out, const ExactComparison& exact, uint32_t frameWidth) {
-  std::fprintf(out, "%-12s%zu of %u rays differ from the nearest hit among all triangles\n", "exact", exact.differences.size(), exact.compared);
+  std::fprintf(out, "%-12s%zu of %u rays differ from the nearest hit among all triangles\n", "exact", exact.differences.size(),
+               exact.compared);
   constexpr size_t kMostLines = 20;
   for (size_t i = 0; i < std::min(kMostLines, exact.differences.size()); ++i) {
     const ExactDifference& difference = exact.differences[i];

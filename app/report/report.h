@@ -8,30 +8,31 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/session/session.h"
 #include "app/base/text.h"
-#include "core/checks/exact_check.h"
+#include "app/session/session.h"
 #include "core/base/statistics.h"
+#include "core/checks/exact_check.h"
 
 namespace gridscope {
 
 struct FrameReport {
   uint32_t frame = 0;
-  float timeSeconds = 0.0f;              // in the animations
+  float timeSeconds = 0.0f;  // in the animations
   GridTotals grid;
-  uint64_t tried = 0;                    // references
+  uint64_t tried = 0;  // references
   TriangleTotals triangles;
   RayTotals rays;
-  std::optional<CounterTotals> counters; // where the counting trace ran
+  std::optional<CounterTotals> counters;  // where the counting trace ran
   StageTimes times;
   UpdateReport update;
 };
 
 struct RenderReport {
-  double startMs = 0.0;                  // load, upload, compile
-  std::vector<FrameReport> frames;       // empty when the build already differed from C++
-  std::vector<std::string> pictures;     // files written
-  std::optional<uint64_t> foreignHits;   // of the last frame's captured hits: how many are not what the trace ends with; nothing: none captured
+  double startMs = 0.0;               // load, upload, compile
+  std::vector<FrameReport> frames;    // empty when the build already differed from C++
+  std::vector<std::string> pictures;  // files written
+  std::optional<uint64_t>
+      foreignHits;  // of the last frame's captured hits: how many are not what the trace ends with; nothing: none captured
   std::optional<ExactComparison> exact;  // of --check-exact
   std::optional<std::string> check;      // of --check-cpu: the first difference; empty: all equal
 };

@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
-#include "app/report/pixel_story.h"
 #include "app/base/text.h"
+#include "app/report/pixel_story.h"
 
 namespace gridscope {
 
@@ -36,7 +36,8 @@ class StoryWriter {
     return isTriangleOf(scene(), reference) ? text(" of ").mesh(reference) : text(", which is no triangle of the scene");
   }
   StoryWriter& triangleAlone(uint32_t reference) {
-    const std::string name = isTriangleOf(scene(), reference) ? "triangle " + grouped(nameTriangle(scene(), reference).triangle) : printed("0x%08X", reference);
+    const std::string name =
+        isTriangleOf(scene(), reference) ? "triangle " + grouped(nameTriangle(scene(), reference).triangle) : printed("0x%08X", reference);
     return add({.kind = StoryPart::Kind::triangle, .text = name, .reference = reference});
   }
   StoryWriter& end() { return text("\n"); }

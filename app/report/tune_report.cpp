@@ -20,17 +20,32 @@ std::string traceText(const TuneRow& row) {
 }
 
 void addHeader(Table& table) {
-  table.add({"", "cells", "cap.", "overlap", "by", "back, ahead, gate", "memory", "stored", "refused", "saturated", "wrong", "hole", "voxel wrong", "far", "near",
-             "voxel right", "visits", "tests", "build ms", "trace ms"});
+  table.add({"",      "cells", "cap.",        "overlap", "by",   "back, ahead, gate", "memory", "stored", "refused",  "saturated",
+             "wrong", "hole",  "voxel wrong", "far",     "near", "voxel right",       "visits", "tests",  "build ms", "trace ms"});
 }
 
 void addRow(Table& table, const std::string& name, const TuneRow& row) {
   auto share = [&](uint32_t verdict) { return percentOf(row.verdicts[verdict], row.rays); };
-  table.add({name, row.grid.cellEdge > 0.0f ? printed("edge %g", double(row.grid.cellEdge)) : std::to_string(row.grid.cells),
-             std::to_string(row.grid.capacity), overlapWord(row.grid.overlap), numberingWord(row.grid.numberBy), traceText(row), byteText(row.bytes), grouped(row.stored),
-             grouped(row.refused), grouped(row.saturated), percentOf(row.wrong(), row.rays), share(kVerdictHole), share(kVerdictVoxelWrong),
-             share(kVerdictTooFar), share(kVerdictTooNear), share(kVerdictVoxelRight), printed("%.1f", row.visits), printed("%.1f", row.tests),
-             printed("%.2f", row.buildMs.median), printed("%.2f", row.traceMs.median)});
+  table.add({name,
+             row.grid.cellEdge > 0.0f ? printed("edge %g", double(row.grid.cellEdge)) : std::to_string(row.grid.cells),
+             std::to_string(row.grid.capacity),
+             overlapWord(row.grid.overlap),
+             numberingWord(row.grid.numberBy),
+             traceText(row),
+             byteText(row.bytes),
+             grouped(row.stored),
+             grouped(row.refused),
+             grouped(row.saturated),
+             percentOf(row.wrong(), row.rays),
+             share(kVerdictHole),
+             share(kVerdictVoxelWrong),
+             share(kVerdictTooFar),
+             share(kVerdictTooNear),
+             share(kVerdictVoxelRight),
+             printed("%.1f", row.visits),
+             printed("%.1f", row.tests),
+             printed("%.2f", row.buildMs.median),
+             printed("%.2f", row.traceMs.median)});
 }
 
 std::string nameOf(const TuneResult& result, size_t index) {
@@ -66,13 +81,14 @@ void printRefusals(std::FILE* out, const TuneResult& result) {
 
 // One of the recommended setting's numbers that is the least or the most tried: beyond it nobody looked.
 std::string endNote(const TuneResult& result, const char* option, double (*valueOf)(const TuneRow& row)) {
-  constexpr size_t kLeastValues = 3;   // of an axis: of two, one end is always taken
+  constexpr size_t kLeastValues = 3;  // of an axis: of two, one end is always taken
   std::set<double> tried;
   for (const TuneRow& row : result.rows)
     if (row.measured()) tried.insert(valueOf(row));
   const double taken = valueOf(result.rows[result.recommended]);
   if (tried.size() < kLeastValues || (taken != *tried.begin() && taken != *tried.rbegin())) return "";
-  return printed("  %s %g is the %s tried; %s-axis can go on from there\n", option, taken, taken == *tried.begin() ? "least" : "most", option);
+  return printed("  %s %g is the %s tried; %s-axis can go on from there\n", option, taken, taken == *tried.begin() ? "least" : "most",
+                 option);
 }
 
 // What a person should know before taking the recommendation.
@@ -80,10 +96,14 @@ void printDoubts(std::FILE* out, const TuneResult& result) {
   const TuneRow& own = result.rows[0];
   const double noise = timeNoise(own, result.rows[result.recommended], relativeNoise(result.rows)) / std::max(own.traceMs.median, 1e-9);
   if (noise > kTuneMostTime - 1.0)
-    std::fprintf(out, "  times scattered by %.0f %% of the own setting's, more than the rule allows a setting to take: they decided little. Run it while the machine is quiet\n", 100.0 * noise);
+    std::fprintf(out,
+                 "  times scattered by %.0f %% of the own setting's, more than the rule allows a setting to take: they decided little. Run "
+                 "it while the machine is quiet\n",
+                 100.0 * noise);
   if (result.recommended == 0) return;
   std::string notes = endNote(result, "--capacity", [](const TuneRow& row) { return double(row.grid.capacity); });
-  if (result.rows[result.recommended].grid.cellEdge == 0.0f) notes = endNote(result, "--cells", [](const TuneRow& row) { return double(row.grid.cells); }) + notes;
+  if (result.rows[result.recommended].grid.cellEdge == 0.0f)
+    notes = endNote(result, "--cells", [](const TuneRow& row) { return double(row.grid.cells); }) + notes;
   if (result.rows[result.recommended].trace.traversal == kTraversalSegment) {
     notes += endNote(result, "--back", [](const TuneRow& row) { return double(row.trace.back); });
     notes += endNote(result, "--ahead", [](const TuneRow& row) { return double(row.trace.ahead); });
@@ -95,22 +115,29 @@ void printDoubts(std::FILE* out, const TuneResult& result) {
 void printRecommendation(std::FILE* out, const TuneResult& result) {
   const TuneRow& own = result.rows[0];
   const TuneRow& best = result.rows[result.recommended];
-  std::fprintf(out, "\nrule: at most %g times the memory and %g of the trace time of the own setting, then the fewest wrong rays\n", kTuneMostMemory, kTuneMostTime);
+  std::fprintf(out, "\nrule: at most %g times the memory and %g of the trace time of the own setting, then the fewest wrong rays\n",
+               kTuneMostMemory, kTuneMostTime);
   if (result.recommended == 0) {
     std::fprintf(out, "recommended: the own setting; nothing tried within the rule is better\n  %s\n", tuneFlags(best).c_str());
     return printDoubts(out, result);
   }
-  std::fprintf(out, "recommended: wrong rays %s -> %s, memory %s -> %s, trace %.2f -> %.2f ms\n  %s\n", percentOf(own.wrong(), own.rays).c_str(),
-               percentOf(best.wrong(), best.rays).c_str(), byteText(own.bytes).c_str(), byteText(best.bytes).c_str(), own.traceMs.median,
-               best.traceMs.median, tuneFlags(best).c_str());
+  std::fprintf(out, "recommended: wrong rays %s -> %s, memory %s -> %s, trace %.2f -> %.2f ms\n  %s\n",
+               percentOf(own.wrong(), own.rays).c_str(), percentOf(best.wrong(), best.rays).c_str(), byteText(own.bytes).c_str(),
+               byteText(best.bytes).c_str(), own.traceMs.median, best.traceMs.median, tuneFlags(best).c_str());
   printDoubts(out, result);
 }
 
 Json spreadJson(const Spread& spread) { return {{"min", spread.min}, {"median", spread.median}, {"max", spread.max}}; }
 
 Json settingJson(const TuneRow& row) {
-  Json json = {{"cells", row.grid.cells}, {"capacity", row.grid.capacity}, {"overlap", overlapWord(row.grid.overlap)}, {"numberBy", numberingWord(row.grid.numberBy)},
-               {"traversal", traversalWord(row.trace.traversal)}, {"back", row.trace.back}, {"ahead", row.trace.ahead}, {"gate", row.trace.gate},
+  Json json = {{"cells", row.grid.cells},
+               {"capacity", row.grid.capacity},
+               {"overlap", overlapWord(row.grid.overlap)},
+               {"numberBy", numberingWord(row.grid.numberBy)},
+               {"traversal", traversalWord(row.trace.traversal)},
+               {"back", row.trace.back},
+               {"ahead", row.trace.ahead},
+               {"gate", row.trace.gate},
                {"flags", tuneFlags(row)}};
   if (row.grid.cellEdge > 0.0f) json["cellEdge"] = row.grid.cellEdge;
   return json;
@@ -169,8 +196,13 @@ void printTune(std::FILE* out, const TuneResult& result) {
 }
 
 Json tuneJson(const TuneResult& result) {
-  Json json = {{"sweep", {{"tried", result.rows.size()}, {"stopped", result.stopped}, {"fault", result.fault}, {"seconds", result.seconds},
-                          {"rule", {{"mostMemory", kTuneMostMemory}, {"mostTime", kTuneMostTime}}}, {"timeNoise", relativeNoise(result.rows)}}}};
+  Json json = {{"sweep",
+                {{"tried", result.rows.size()},
+                 {"stopped", result.stopped},
+                 {"fault", result.fault},
+                 {"seconds", result.seconds},
+                 {"rule", {{"mostMemory", kTuneMostMemory}, {"mostTime", kTuneMostTime}}},
+                 {"timeNoise", relativeNoise(result.rows)}}}};
   json["own"] = rowJson(result.rows[0]);
   json["recommended"] = rowJson(result.rows[result.recommended]);
   json["recommended"]["index"] = result.recommended;
@@ -180,23 +212,36 @@ Json tuneJson(const TuneResult& result) {
 }
 
 std::string tuneCsv(const TuneResult& result) {
-  std::string csv = "cells,cell_edge,capacity,overlap,number_by,traversal,back,ahead,gate,bytes,stored,refused,occupied,saturated,rays,wrong,hole,"
-                    "voxel_wrong,too_far,too_near,voxel_right,agree,visits,tests,build_ms,trace_ms,trace_ms_min,trace_ms_max,front,recommended,refusal\r\n";
+  std::string csv =
+      "cells,cell_edge,capacity,overlap,number_by,traversal,back,ahead,gate,bytes,stored,refused,occupied,saturated,rays,wrong,hole,"
+      "voxel_wrong,too_far,too_near,voxel_right,agree,visits,tests,build_ms,trace_ms,trace_ms_min,trace_ms_max,front,recommended,"
+      "refusal\r\n";
   for (size_t i = 0; i < result.rows.size(); ++i) {
     const TuneRow& row = result.rows[i];
     csv += printed("%s,%s,%u,%s,%s,%s,%g,%g,%g,", row.grid.cellEdge > 0.0f ? "" : std::to_string(row.grid.cells).c_str(),
-                   row.grid.cellEdge > 0.0f ? printed("%.9g", double(row.grid.cellEdge)).c_str() : "", row.grid.capacity, overlapWord(row.grid.overlap),
-                   numberingWord(row.grid.numberBy), traversalWord(row.trace.traversal), double(row.trace.back), double(row.trace.ahead), double(row.trace.gate));
+                   row.grid.cellEdge > 0.0f ? printed("%.9g", double(row.grid.cellEdge)).c_str() : "", row.grid.capacity,
+                   overlapWord(row.grid.overlap), numberingWord(row.grid.numberBy), traversalWord(row.trace.traversal),
+                   double(row.trace.back), double(row.trace.ahead), double(row.trace.gate));
     if (!row.measured()) {
       csv += std::string(19, ',') + "0,0," + quoted(row.refusal) + "\r\n";
       continue;
     }
-    const uint64_t counts[] = {row.bytes, row.stored, row.refused, row.occupied, row.saturated, row.rays, row.wrong(), row.verdicts[kVerdictHole],
-                               row.verdicts[kVerdictVoxelWrong], row.verdicts[kVerdictTooFar], row.verdicts[kVerdictTooNear],
-                               row.verdicts[kVerdictVoxelRight], row.verdicts[kVerdictAgrees]};
+    const uint64_t counts[] = {row.bytes,
+                               row.stored,
+                               row.refused,
+                               row.occupied,
+                               row.saturated,
+                               row.rays,
+                               row.wrong(),
+                               row.verdicts[kVerdictHole],
+                               row.verdicts[kVerdictVoxelWrong],
+                               row.verdicts[kVerdictTooFar],
+                               row.verdicts[kVerdictTooNear],
+                               row.verdicts[kVerdictVoxelRight],
+                               row.verdicts[kVerdictAgrees]};
     for (uint64_t count : counts) csv += std::to_string(count) + ",";
-    csv += printed("%.3f,%.3f,%.4f,%.4f,%.4f,%.4f,%d,%d,\r\n", row.visits, row.tests, row.buildMs.median, row.traceMs.median, row.traceMs.min,
-                   row.traceMs.max, row.front ? 1 : 0, i == result.recommended ? 1 : 0);
+    csv += printed("%.3f,%.3f,%.4f,%.4f,%.4f,%.4f,%d,%d,\r\n", row.visits, row.tests, row.buildMs.median, row.traceMs.median,
+                   row.traceMs.min, row.traceMs.max, row.front ? 1 : 0, i == result.recommended ? 1 : 0);
   }
   return csv;
 }

@@ -8,10 +8,10 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
+#include "app/base/text.h"
+#include "app/report/report.h"
 #include "app/session/option_values.h"
 #include "app/session/options.h"
-#include "app/report/report.h"
-#include "app/base/text.h"
 #include "core/base/error.h"
 
 namespace gridscope {
@@ -42,13 +42,14 @@ bool holds(double value, Relation relation, double limit) {
 
 // Paths of everything that a budget may name, "cells.saturated".
 struct Figures {
-  std::vector<std::string> named;      // numbers, yes and no, and figures without a value here: a short name may mean them
-  std::vector<std::string> listed;     // what lies in lists
+  std::vector<std::string> named;   // numbers, yes and no, and figures without a value here: a short name may mean them
+  std::vector<std::string> listed;  // what lies in lists
 };
 
 void listFigures(const Json& json, const std::string& path, bool inList, Figures& figures) {
   if (json.is_structured()) {
-    for (const auto& [name, value] : json.items()) listFigures(value, path.empty() ? name : path + "." + name, inList || json.is_array(), figures);
+    for (const auto& [name, value] : json.items())
+      listFigures(value, path.empty() ? name : path + "." + name, inList || json.is_array(), figures);
   } else if (!json.is_string()) {
     (inList ? figures.listed : figures.named).push_back(path);
   }
@@ -59,10 +60,13 @@ const Json* find(const Json& results, const std::string& path, bool* intoEmptyLi
   const Json* json = &results;
   for (const std::string& name : splitText(path, '.')) {
     if (intoEmptyList && json->is_array() && json->empty()) *intoEmptyList = true;
-    if (json->is_object() && json->contains(name)) json = &json->at(name);
-    else if (json->is_array() && !name.empty() && name.size() < 9 && name.find_first_not_of("0123456789") == std::string::npos && std::stoul(name) < json->size())
+    if (json->is_object() && json->contains(name))
+      json = &json->at(name);
+    else if (json->is_array() && !name.empty() && name.size() < 9 && name.find_first_not_of("0123456789") == std::string::npos &&
+             std::stoul(name) < json->size())
       json = &json->at(std::stoul(name));
-    else return nullptr;
+    else
+      return nullptr;
   }
   return json;
 }
@@ -95,11 +99,14 @@ std::string nearestNames(const std::vector<std::string>& paths, const std::strin
 
 // Is some part of the path one of these groups?
 bool liesIn(const std::string& path, std::initializer_list<std::string> groups) {
-  return std::ranges::any_of(groups, [&](const std::string& group) { return path.starts_with(group) || path.find("." + group) != std::string::npos; });
+  return std::ranges::any_of(
+      groups, [&](const std::string& group) { return path.starts_with(group) || path.find("." + group) != std::string::npos; });
 }
 
 // Counts of rays by verdict or cause: a short name like `refused` does not mean them where something else has it.
-bool tellsTruth(const std::string& path) { return liesIn(path, {"agree.", "verdicts.", "causes.", "rays."}) || lastName(path) == "wrong" || lastName(path) == "raysChange"; }
+bool tellsTruth(const std::string& path) {
+  return liesIn(path, {"agree.", "verdicts.", "causes.", "rays."}) || lastName(path) == "wrong" || lastName(path) == "raysChange";
+}
 
 bool countsRays(const std::string& path) {
   const std::string_view last = lastName(path);
@@ -123,7 +130,8 @@ std::vector<std::string> pathsMeant(const std::string& key, const Json& results)
 [[noreturn]] void refuseKey(const Budget& budget, const Json& results) {
   const std::string start = "--fail-if " + budget.text + ": ";
   if (const Json* group = find(results, budget.key); group && group->is_array() && !group->empty())
-    throw Error(start + budget.key + " is a list; give one of it: " + budget.key + ".0 to " + budget.key + "." + std::to_string(group->size() - 1));
+    throw Error(start + budget.key + " is a list; give one of it: " + budget.key + ".0 to " + budget.key + "." +
+                std::to_string(group->size() - 1));
   Figures figures;
   listFigures(results, "", false, figures);
   std::vector<std::string> all = figures.named;
@@ -135,8 +143,10 @@ std::vector<std::string> pathsMeant(const std::string& key, const Json& results)
 std::string findFigure(const Budget& budget, const Json& results) {
   const std::vector<std::string> paths = pathsMeant(budget.key, results);
   if (paths.empty()) refuseKey(budget, results);
-  if (paths.size() > 1) throw Error("--fail-if " + budget.text + ": '" + budget.key + "' may be " + joined(paths, " or ") + "; give the whole name");
-  if (find(results, paths.front())->is_null()) throw Error("--fail-if " + budget.text + ": " + paths.front() + " has no value here: this grid does not count it");
+  if (paths.size() > 1)
+    throw Error("--fail-if " + budget.text + ": '" + budget.key + "' may be " + joined(paths, " or ") + "; give the whole name");
+  if (find(results, paths.front())->is_null())
+    throw Error("--fail-if " + budget.text + ": " + paths.front() + " has no value here: this grid does not count it");
   return paths.front();
 }
 
@@ -196,8 +206,10 @@ Budget parseBudget(const std::string& text) {
   if (sign == std::string::npos || sign == 0) throw Error("--fail-if " + text + ": " + kShape);
   const bool orEqual = sign + 1 < packed.size() && packed[sign + 1] == '=';
   Budget budget{.text = text, .key = packed.substr(0, sign)};
-  if (packed[sign] == '>') budget.relation = orEqual ? Relation::atLeast : Relation::above;
-  else budget.relation = orEqual ? Relation::atMost : Relation::below;
+  if (packed[sign] == '>')
+    budget.relation = orEqual ? Relation::atLeast : Relation::above;
+  else
+    budget.relation = orEqual ? Relation::atMost : Relation::below;
   std::string number = packed.substr(sign + (orEqual ? 2 : 1));
   budget.percent = number.ends_with('%');
   if (budget.percent) number.pop_back();
@@ -241,16 +253,20 @@ bool haveFigures(const std::vector<Budget>& budgets, const Json& shape) {
 BudgetResult judgeFrames(const Budget& budget, const std::vector<Json>& frames) {
   BudgetResult first;
   size_t broken = 0;
-  bool same = true;                    // the figure is no frame's own
+  bool same = true;  // the figure is no frame's own
   for (size_t frame = 0; frame < frames.size(); ++frame) {
     BudgetResult result = judgeBudget(budget, frames[frame]);
     if (!result.broken) continue;
-    if (broken++ > 0) same = same && first.line.ends_with(result.line);
-    else first = {true, printed("frame %zu: ", frame) + result.line};
+    if (broken++ > 0)
+      same = same && first.line.ends_with(result.line);
+    else
+      first = {true, printed("frame %zu: ", frame) + result.line};
   }
   if (broken == 0) return first;
-  if (same && broken == frames.size()) first.line = first.line.substr(first.line.find(": ") + 2);
-  else if (broken > 1) first.line += printed("; likewise %zu more of %zu frames", broken - 1, frames.size());
+  if (same && broken == frames.size())
+    first.line = first.line.substr(first.line.find(": ") + 2);
+  else if (broken > 1)
+    first.line += printed("; likewise %zu more of %zu frames", broken - 1, frames.size());
   return first;
 }
 

@@ -19,12 +19,12 @@ struct Options;
 // One condition that must not come true.
 struct Budget {
   enum class Relation { above, atLeast, below, atMost };
-  std::string text;                    // as it was given
-  std::string key;                     // a figure of the results: "cells.saturated", or the end of that path where only one has it; what
-                                       // lies in a list by its whole path, places from 0: "confirmed.refused.0"
+  std::string text;  // as it was given
+  std::string key;   // a figure of the results: "cells.saturated", or the end of that path where only one has it; what
+                     // lies in a list by its whole path, places from 0: "confirmed.refused.0"
   Relation relation = Relation::above;
-  double limit = 0.0;                  // of the figure itself, or of its percentage
-  bool percent = false;                // of rays, of references tried, or of occupied cells, as fits the figure; of a share, itself
+  double limit = 0.0;    // of the figure itself, or of its percentage
+  bool percent = false;  // of rays, of references tried, or of occupied cells, as fits the figure; of a share, itself
 };
 
 // FIGURE>NUMBER[%]; the operators are > >= < <=. Throws Error.
@@ -33,7 +33,7 @@ Budget parseBudget(const std::string& text);
 // What the results say to a budget.
 struct BudgetResult {
   bool broken = false;
-  std::string line;                    // "wrong>1%: wrong is 1,200 of 57,600 rays (2.08 %)"
+  std::string line;  // "wrong>1%: wrong is 1,200 of 57,600 rays (2.08 %)"
 };
 
 // Throws Error for a figure that the results do not have (naming the nearest ones), that is ambiguous, that is no number or has no value

@@ -5,8 +5,8 @@
 #include <array>
 
 #include "app/base/text.h"
-#include "core/pipeline/frame_capture.h"
 #include "core/base/error.h"
+#include "core/pipeline/frame_capture.h"
 
 namespace gridscope {
 
@@ -14,11 +14,13 @@ namespace fs = std::filesystem;
 
 // Whatever decides the frame. The builder does not: both make the same bits.
 static constexpr std::array kFixedOptions = {
-    "--teapots", "--moving", "--camera", "--time", "--frame-step", "--size", "--texture-size", "--cells", "--cell-edge", "--capacity", "--bounds",
-    "--stretch", "--insertion", "--number-by", "--overlap", "--enlargement", "--update", "--traversal", "--back", "--ahead", "--tmin", "--gap-fill",
-    "--gate", "--max-segments", "--seed", "--roughness", "--rays"};
+    "--teapots",  "--moving", "--camera",  "--time",      "--frame-step", "--size",         "--texture-size", "--cells",     "--cell-edge",
+    "--capacity", "--bounds", "--stretch", "--insertion", "--number-by",  "--overlap",      "--enlargement",  "--update",    "--traversal",
+    "--back",     "--ahead",  "--tmin",    "--gap-fill",  "--gate",       "--max-segments", "--seed",         "--roughness", "--rays"};
 
-static bool wasGiven(const Options& options, std::string_view name) { return std::ranges::find(options.given, name) != options.given.end(); }
+static bool wasGiven(const Options& options, std::string_view name) {
+  return std::ranges::find(options.given, name) != options.given.end();
+}
 
 bool isCapturePath(const fs::path& path) { return path.extension() == ".gridcap"; }
 

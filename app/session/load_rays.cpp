@@ -59,7 +59,9 @@ class RayReader {
   uint64_t changed() const { return changed_; }
 
  private:
-  static Error fault(uint64_t index, const std::string& what) { return Error("ray " + std::to_string(index) + " " + what + "; mend or remove it"); }
+  static Error fault(uint64_t index, const std::string& what) {
+    return Error("ray " + std::to_string(index) + " " + what + "; mend or remove it");
+  }
   static vec3 storedVector(const glm::dvec3& v) { return vec3(stored(float(v.x)), stored(float(v.y)), stored(float(v.z))); }
 
   // Keeps what is a unit vector but for rounding, bit for bit; false for a vector without length.

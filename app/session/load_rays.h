@@ -10,9 +10,9 @@
 namespace gridscope {
 
 struct LoadedRays {
-  std::vector<Ray> rays;     // empty: the bounce makes them
-  FrameSize size{};          // of the frame that they fill
-  std::string note;          // what was changed about them; empty: nothing
+  std::vector<Ray> rays;  // empty: the bounce makes them
+  FrameSize size{};       // of the frame that they fill
+  std::string note;       // what was changed about them; empty: nothing
 };
 
 // Reads --rays; nothing when it was not given. Throws Error.

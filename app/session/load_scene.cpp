@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cctype>
 
-#include "app/session/option_values.h"
 #include "app/base/text.h"
+#include "app/session/option_values.h"
 #include "core/base/error.h"
 #include "core/gltf/gltf.h"
 #include "core/scene/teapot.h"

@@ -8,7 +8,7 @@ namespace gridscope {
 
 struct LoadedScene {
   Scene scene;
-  FrameSettings settings;   // complete, camera too
+  FrameSettings settings;  // complete, camera too
 };
 
 // Loads a file, or makes a built-in scene with the settings of its lesson; adds teapots; finds the camera. Throws Error.

@@ -51,13 +51,17 @@ std::vector<double> parseNumbers(const std::string& option, const std::string& t
   return numbers;
 }
 
-bool looksLikeNumber(const std::string& text) { return !text.empty() && std::string_view("0123456789+-.").find(text.front()) != std::string_view::npos; }
+bool looksLikeNumber(const std::string& text) {
+  return !text.empty() && std::string_view("0123456789+-.").find(text.front()) != std::string_view::npos;
+}
 
 std::vector<std::string> splitText(const std::string& text, char separator) {
   std::vector<std::string> parts(1);
   for (char c : text) {
-    if (c == separator) parts.emplace_back();
-    else parts.back() += c;
+    if (c == separator)
+      parts.emplace_back();
+    else
+      parts.back() += c;
   }
   return parts;
 }

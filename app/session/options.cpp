@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <functional>
 
-#include "app/session/option_values.h"
 #include "app/base/text.h"
+#include "app/session/option_values.h"
 #include "core/base/error.h"
 
 namespace gridscope {
@@ -15,7 +15,7 @@ namespace gridscope {
 namespace {
 
 constexpr uint32_t kMostPixelsPerSide = 16384;
-constexpr uint32_t kMostTexelsPerSide = 8192;   // of a diffuse map
+constexpr uint32_t kMostTexelsPerSide = 8192;  // of a diffuse map
 constexpr uint32_t kMostTeapots = 1024;
 constexpr uint32_t kMostFrames = 1000000;
 constexpr double kMostSeconds = 1e6;
@@ -50,7 +50,8 @@ class OptionGroup {
   }
 
   template <class Target>
-  void number(const std::string& name, const char* type, Target& target, NumberRange range, const std::string& shown, const std::string& about) {
+  void number(const std::string& name, const char* type, Target& target, NumberRange range, const std::string& shown,
+              const std::string& about) {
     text(name, type, shown, about, [&target, name, range](const std::string& given) {
       target = static_cast<decltype(valueOf(target))>(parseNumber(name, given, range));
     });
@@ -80,7 +81,8 @@ class OptionGroup {
   void numbers(const std::string& name, std::vector<float>& target, NumberRange range, const std::string& about) {
     std::vector<std::string> shown;
     for (float value : target) shown.push_back(shownDefault(value));
-    list(name, "EDGES", target, shown, about, [name, range](const std::string& one) { return static_cast<float>(parseNumber(name, one, range)); });
+    list(name, "EDGES", target, shown, about,
+         [name, range](const std::string& one) { return static_cast<float>(parseNumber(name, one, range)); });
   }
 
   template <class Value>
@@ -95,13 +97,16 @@ class OptionGroup {
   }
 
   void flag(const std::string& name, bool& target, bool value, const std::string& about) {
-    command_.add_flag_function(name, [&target, value](int64_t) { target = value; }, about)->group(group_);
+    command_
+        .add_flag_function(
+            name, [&target, value](int64_t) { target = value; }, about)
+        ->group(group_);
   }
 
  private:
   template <class Value, class Parse>
-  void list(const std::string& name, const char* type, std::vector<Value>& target, const std::vector<std::string>& shown, const std::string& about,
-            Parse parse) {
+  void list(const std::string& name, const char* type, std::vector<Value>& target, const std::vector<std::string>& shown,
+            const std::string& about, Parse parse) {
     text(name, (std::string(type) + "[,...]").c_str(), joined(shown, ","), about, [&target, parse](const std::string& given) {
       target.clear();
       for (const std::string& one : splitText(given, ',')) {
@@ -137,7 +142,8 @@ Bounds parseBounds(const std::string& text) {
 
 SliceSettings parseSlice(const std::string& text) {
   const size_t axis = text.empty() ? std::string::npos : std::string_view("xyz").find(text.front());
-  if (axis == std::string::npos || text.size() < 3 || text[1] != ':') throw Error("--slice " + text + ": give an axis and a layer of cells, y:12 say");
+  if (axis == std::string::npos || text.size() < 3 || text[1] != ':')
+    throw Error("--slice " + text + ": give an axis and a layer of cells, y:12 say");
   return {.axis = static_cast<int>(axis), .index = static_cast<int>(parseWhole("--slice (layer)", text.substr(2), {0, 1u << 20}))};
 }
 
@@ -164,7 +170,8 @@ std::vector<const View*> parseViews(const std::string& text) {
   for (const View& view : allViews()) names.emplace_back(view.name);
   for (const std::string& name : splitText(text, ',')) {
     const bool isGroup = name == "all" || name == "truth";
-    if (!isGroup && !findView(name)) throw Error("--view " + text + ": there is no view '" + name + "'; give all, truth, or some of " + joined(names, ","));
+    if (!isGroup && !findView(name))
+      throw Error("--view " + text + ": there is no view '" + name + "'; give all, truth, or some of " + joined(names, ","));
     for (const View& view : allViews())
       if (isMeant(view, name) && std::ranges::find(views, &view) == views.end()) views.push_back(&view);
   }
@@ -173,13 +180,14 @@ std::vector<const View*> parseViews(const std::string& text) {
 
 CaptureProducts parseProducts(const std::string& text) {
   CaptureProducts products{.grid = false, .gather = false, .rays = false, .hits = false, .counters = false, .preview = false};
-  const Choice<bool CaptureProducts::*> known[] = {{"grid", &CaptureProducts::grid}, {"gather", &CaptureProducts::gather},
-                                                   {"rays", &CaptureProducts::rays}, {"hits", &CaptureProducts::hits},
+  const Choice<bool CaptureProducts::*> known[] = {{"grid", &CaptureProducts::grid},         {"gather", &CaptureProducts::gather},
+                                                   {"rays", &CaptureProducts::rays},         {"hits", &CaptureProducts::hits},
                                                    {"counters", &CaptureProducts::counters}, {"preview", &CaptureProducts::preview},
                                                    {"exact", &CaptureProducts::exact}};
   for (const std::string& name : splitText(text, ',')) {
     const auto* found = std::ranges::find_if(known, [&](const auto& one) { return name == one.name; });
-    if (found == std::end(known)) throw Error("--products " + text + ": there is no product '" + name + "'; give some of grid,gather,rays,hits,counters,preview,exact");
+    if (found == std::end(known))
+      throw Error("--products " + text + ": there is no product '" + name + "'; give some of grid,gather,rays,hits,counters,preview,exact");
     products.*found->value = true;
   }
   return products;
@@ -188,13 +196,16 @@ CaptureProducts parseProducts(const std::string& text) {
 void addSceneOptions(CLI::App& command, Options& options) {
   OptionGroup scene(command, "Scene");
   command.add_option("SCENE", options.scene, "A .gltf or .glb file, or a built-in scene ('gridscope scenes' lists them)")
-      ->type_name("")->group("Scene")->default_str(options.scene);
+      ->type_name("")
+      ->group("Scene")
+      ->default_str(options.scene);
   scene.whole("--teapots", options.teapots, {0, kMostTeapots}, "0", "Animated teapots to add");
   scene.whole("--moving", options.moving, {0, kMostTeapots}, "all", "How many of the added teapots move");
   scene.text("--camera", "NAME|EX,EY,EZ,TX,TY,TZ[,FOV]", "the scene's first",
              "A camera's name, or eye and target (world units) and vertical field of view (degrees)",
              [&](const std::string& given) { options.camera = given; });
-  scene.number("--time", "SECONDS", options.time, {-kMostSeconds, kMostSeconds}, shownDefault(options.time), "Of the (first) frame, in the animations");
+  scene.number("--time", "SECONDS", options.time, {-kMostSeconds, kMostSeconds}, shownDefault(options.time),
+               "Of the (first) frame, in the animations");
   scene.number("--frame-step", "SECONDS", options.frameStep, {-kMostSeconds, kMostSeconds}, "1/60", "From one frame to the next");
   scene.text("--size", "WxH", printed("%ux%u", options.settings.width, options.settings.height),
              "Pixels of the frame, one ray each (a built-in scene may bring its own)",
@@ -206,10 +217,13 @@ void addSceneOptions(CLI::App& command, Options& options) {
 void addGridOptions(CLI::App& command, Options& options) {
   OptionGroup group(command, "Grid");
   GridSettings& grid = options.settings.grid;
-  group.whole("--cells", options.cells, {.low = 1}, std::to_string(grid.cells), "Along the longest side (a built-in scene may bring its own)");
+  group.whole("--cells", options.cells, {.low = 1}, std::to_string(grid.cells),
+              "Along the longest side (a built-in scene may bring its own)");
   group.number("--cell-edge", "LENGTH", options.cellEdge, {1e-9, 1e9}, "", "World units; instead of --cells");
-  group.whole("--capacity", options.capacity, {.low = 1}, std::to_string(grid.capacity), "Slots of a cell (a built-in scene may bring its own)");
-  group.text("--bounds", "MINX,MINY,MINZ,MAXX,MAXY,MAXZ", "", "What the grid covers, world units; default: the scene over its whole animation",
+  group.whole("--capacity", options.capacity, {.low = 1}, std::to_string(grid.capacity),
+              "Slots of a cell (a built-in scene may bring its own)");
+  group.text("--bounds", "MINX,MINY,MINZ,MAXX,MAXY,MAXZ", "",
+             "What the grid covers, world units; default: the scene over its whole animation",
              [&](const std::string& given) { grid.bounds = parseBounds(given); });
   group.choice<Stretch>("--stretch", grid.stretch, {{"auto", Stretch::automatic}, {"x", Stretch::x}, {"y", Stretch::y}, {"z", Stretch::z}},
                         "Axis of the image along which a cell's slots lie; auto: the one with the fewest cells");
@@ -220,7 +234,8 @@ void addGridOptions(CLI::App& command, Options& options) {
                          "Order of the references; full cells refuse the last: by area, the smallest triangles");
   group.choice<uint32_t>("--overlap", grid.overlap, {{"plane", kOverlapPlane}, {"exact", kOverlapExact}},
                          "plane: the paper's test, generous; exact: triangle against cube");
-  group.number("--enlargement", "FACTOR", grid.enlargement, {0.01, 100.0}, shownDefault(grid.enlargement), "Of the cell in the overlap test");
+  group.number("--enlargement", "FACTOR", grid.enlargement, {0.01, 100.0}, shownDefault(grid.enlargement),
+               "Of the cell in the overlap test");
   group.choice<UpdateMode>("--update", grid.update, {{"all", UpdateMode::all}, {"moved", UpdateMode::moved}},
                            "all: every dynamic instance anew in each frame; moved: only what moved");
 }
@@ -235,14 +250,17 @@ void addTraceOptions(CLI::App& command, Options& options) {
   group.number("--ahead", "EDGES", options.ahead, edges, shownDefault(trace.ahead),
                "How far it reaches beyond its end, in cell edges (a built-in scene may bring its own)");
   group.number("--tmin", "EDGES", trace.tMin, edges, shownDefault(trace.tMin), "Nearest hit that counts, in cell edges");
-  group.choice<bool>("--gap-fill", trace.gapFill, {{"on", true}, {"off", false}}, "Voxel hits in saturated cells where no triangle was hit");
+  group.choice<bool>("--gap-fill", trace.gapFill, {{"on", true}, {"off", false}},
+                     "Voxel hits in saturated cells where no triangle was hit");
   group.number("--gate", "EDGES", trace.gate, edges, shownDefault(trace.gate),
                "No voxel hit nearer than this to the plane of the surface that the ray leaves, in cell edges");
   group.text("--max-segments", "N", "enough to cross the grid", "Segments (dda: cells) after which a ray ends",
              [&trace](const std::string& given) { trace.maxSegments = parseWhole("--max-segments", given, {.low = 1}); });
   group.whole("--seed", options.settings.bounce.seed, {}, std::to_string(options.settings.bounce.seed), "Of the glossy bounce");
-  group.number("--roughness", "0..1", options.settings.bounce.roughness, {0.0, 1.0}, "", "Most roughness that the bounce gives a material: rough ones mirror as glossy ones; 1 leaves their own");
-  group.text("--rays", "FILE.npy", "", "Own rays instead of the bounce: floats of shape (H,W,6|9) or (N,6|9): origin, direction[, launch normal]",
+  group.number("--roughness", "0..1", options.settings.bounce.roughness, {0.0, 1.0}, "",
+               "Most roughness that the bounce gives a material: rough ones mirror as glossy ones; 1 leaves their own");
+  group.text("--rays", "FILE.npy", "",
+             "Own rays instead of the bounce: floats of shape (H,W,6|9) or (N,6|9): origin, direction[, launch normal]",
              [&options](const std::string& given) { options.rays = given; });
 }
 
@@ -257,22 +275,25 @@ void addFrameOptions(CLI::App& command, Options& options) {
 }
 
 void addDeviceOption(CLI::App& command, Options& options) {
-  OptionGroup(command, "Device").text("--device", "NAME|INDEX|cpu", "the first that can be used",
-                                      "A Vulkan device ('gridscope info' lists them); cpu: build, update and trace in C++",
-                                      [&](const std::string& given) { options.device = given; });
+  OptionGroup(command, "Device")
+      .text("--device", "NAME|INDEX|cpu", "the first that can be used",
+            "A Vulkan device ('gridscope info' lists them); cpu: build, update and trace in C++",
+            [&](const std::string& given) { options.device = given; });
 }
 
 void addValidationOption(CLI::App& command, Options& options) {
-  OptionGroup(command, "Device").flag("--validation", options.validation, true,
-                                      "Vulkan's validation layers, synchronization too; exit 1 when they report anything");
+  OptionGroup(command, "Device")
+      .flag("--validation", options.validation, true, "Vulkan's validation layers, synchronization too; exit 1 when they report anything");
 }
 
 void addPictureOptions(CLI::App& command, Options& options) {
   OptionGroup group(command, "Pictures");
   std::vector<std::string> names;
   for (const View& view : allViews()) names.emplace_back(view.name);
-  group.text("--view", "NAME[,NAME...]|all|truth", "final", "Views to write: " + joined(names, ", ") + "; all: those that need nothing beside the frame; truth: verdict, cause, error, lost",
-             [&](const std::string& given) { options.views = parseViews(given); });
+  group.text(
+      "--view", "NAME[,NAME...]|all|truth", "final",
+      "Views to write: " + joined(names, ", ") + "; all: those that need nothing beside the frame; truth: verdict, cause, error, lost",
+      [&](const std::string& given) { options.views = parseViews(given); });
   options.views = parseViews("final");
   group.text("--out", "DIR", options.out.string(), "Folder of the pictures: DIR/VIEW.png; with several frames DIR/VIEW.0000.png",
              [&](const std::string& given) { options.out = given; });
@@ -283,8 +304,9 @@ void addPictureOptions(CLI::App& command, Options& options) {
              [&](const std::string& given) { options.range = parseRange(given); });
   group.flag("--no-legend", options.legend, false, "Pictures without the strip below");
   group.flag("--check-cpu", options.checkCpu, true, "Compare every product with the C++ path; exit 1 names the first difference");
-  group.whole("--check-exact", options.checkExact, {}, "0",
-              "Compare N rays of the last frame with the nearest hit among all triangles; lists those that differ, exit 1 when more than 5 do");
+  group.whole(
+      "--check-exact", options.checkExact, {}, "0",
+      "Compare N rays of the last frame with the nearest hit among all triangles; lists those that differ, exit 1 when more than 5 do");
 }
 
 void addRunsOption(CLI::App& command, Options& options) {
@@ -292,8 +314,9 @@ void addRunsOption(CLI::App& command, Options& options) {
 }
 
 void addJsonOption(CLI::App& command, Options& options) {
-  OptionGroup(command, "Results").text("--json", "FILE", "", "The results as JSON; - is standard output (then text goes to standard error)",
-                                       [&](const std::string& given) { options.json = given; });
+  OptionGroup(command, "Results")
+      .text("--json", "FILE", "", "The results as JSON; - is standard output (then text goes to standard error)",
+            [&](const std::string& given) { options.json = given; });
 }
 
 void addFilesOption(CLI::App& command, Options& options, const std::string& what, size_t count) {
@@ -309,7 +332,8 @@ void addCaptureFileOptions(CLI::App& command, Options& options) {
   CaptureOptions& captures = options.captures;
   group.text("-o,--output", "FILE.gridcap", "", "The file to write", [&](const std::string& given) { captures.output = given; });
   group.text("--note", "TEXT", "", "Kept in the file: what it shows", [&](const std::string& given) { captures.note = given; });
-  group.text("--products", "NAME[,NAME...]", "all but exact", "Of grid, gather, rays, hits, counters, preview, exact (the nearest hit among all triangles)",
+  group.text("--products", "NAME[,NAME...]", "all but exact",
+             "Of grid, gather, rays, hits, counters, preview, exact (the nearest hit among all triangles)",
              [&](const std::string& given) { captures.products = parseProducts(given); });
   group.whole("--sequence", captures.sequence, {1, 65536}, std::to_string(captures.sequence), "Consecutive frames in the file");
   group.flag("--salvage", captures.salvage, true, "Open a damaged capture without the entries that fail");
@@ -318,9 +342,10 @@ void addCaptureFileOptions(CLI::App& command, Options& options) {
 void addReplayChoices(CLI::App& command, Options& options) {
   OptionGroup group(command, "Replay");
   CaptureOptions& captures = options.captures;
-  group.choice<ReplayFrom>("--from", captures.from,
-                           {{"auto", ReplayFrom::automatic}, {"build", ReplayFrom::build}, {"update", ReplayFrom::update}, {"trace", ReplayFrom::trace}},
-                           "First stage to run again; auto: build where gridscope built the grid, else trace");
+  group.choice<ReplayFrom>(
+      "--from", captures.from,
+      {{"auto", ReplayFrom::automatic}, {"build", ReplayFrom::build}, {"update", ReplayFrom::update}, {"trace", ReplayFrom::trace}},
+      "First stage to run again; auto: build where gridscope built the grid, else trace");
   group.whole("--repeat", captures.repeat, {.low = 1}, std::to_string(captures.repeat), "Runs; what is not the same in each is different");
   group.whole("--jobs", captures.jobs, {1, 256}, std::to_string(captures.jobs), "Processes at a time");
   group.text("--shard", "I/N", "1/1", "Every N-th file from the I-th, of the sorted list", [&](const std::string& given) {
@@ -329,13 +354,15 @@ void addReplayChoices(CLI::App& command, Options& options) {
     captures.shards = parseWhole("--shard (N)", parts[1], {1, 1000000});
     captures.shard = parseWhole("--shard (I)", parts[0], {1, captures.shards});
   });
-  group.text("--junit", "FILE", "", "Verdicts as a JUnit file, a test case a capture", [&](const std::string& given) { captures.junit = given; });
+  group.text("--junit", "FILE", "", "Verdicts as a JUnit file, a test case a capture",
+             [&](const std::string& given) { captures.junit = given; });
   addDifferenceFolderOption(command, options);
 }
 
 void addDifferenceFolderOption(CLI::App& command, Options& options) {
-  OptionGroup(command, "Pictures").text("--out", "DIR", "", "Folder of a difference picture and an A/B strip for each capture that differs",
-                                        [&](const std::string& given) { options.captures.differences = given; });
+  OptionGroup(command, "Pictures")
+      .text("--out", "DIR", "", "Folder of a difference picture and an A/B strip for each capture that differs",
+            [&](const std::string& given) { options.captures.differences = given; });
 }
 
 void addCheckChoices(CLI::App& command, Options& options) {
@@ -347,8 +374,9 @@ void addCheckChoices(CLI::App& command, Options& options) {
 }
 
 void addFrameNumberOption(CLI::App& command, Options& options) {
-  OptionGroup(command, "Frame").whole("--frame", options.frame, {0, kMostFrames - 1}, "0",
-                                      "Which frame of a captured sequence, from 0; of a scene, so many --frame-step after --time");
+  OptionGroup(command, "Frame")
+      .whole("--frame", options.frame, {0, kMostFrames - 1}, "0",
+             "Which frame of a captured sequence, from 0; of a scene, so many --frame-step after --time");
 }
 
 void addPixelOption(CLI::App& command, Options& options) {
@@ -361,8 +389,9 @@ void addPixelOption(CLI::App& command, Options& options) {
 }
 
 void addRandomPixelsOption(CLI::App& command, Options& options) {
-  OptionGroup(command, "Ray").whole("--random", options.captures.randomPixels, {0, 1000000}, "0",
-                                    "Record as many rays instead, and compare their ends with the frame's hits");
+  OptionGroup(command, "Ray")
+      .whole("--random", options.captures.randomPixels, {0, 1000000}, "0",
+             "Record as many rays instead, and compare their ends with the frame's hits");
 }
 
 void addTuneChoices(CLI::App& command, Options& options) {
@@ -378,7 +407,8 @@ void addTuneChoices(CLI::App& command, Options& options) {
   group.numbers("--back-axis", axes.backs, edges, "Likewise, how far a segment reaches back, in cell edges");
   group.numbers("--ahead-axis", axes.aheads, edges, "Likewise, how far it reaches beyond its end");
   group.numbers("--gate-axis", axes.gates, edges, "Likewise, the gate of gap-filling");
-  group.whole("--runs", options.tune.runs, {1, 1000}, std::to_string(options.tune.runs), "Timed runs of each build and trace; long ones get fewer");
+  group.whole("--runs", options.tune.runs, {1, 1000}, std::to_string(options.tune.runs),
+              "Timed runs of each build and trace; long ones get fewer");
   group.text("--csv", "FILE", "", "All settings, a line each", [&](const std::string& given) { options.tune.csv = given; });
   group.text("--plot", "FILE.svg|.png", "", "Memory and trace time against wrong rays",
              [&](const std::string& given) { options.tune.plot = given; });
@@ -386,8 +416,9 @@ void addTuneChoices(CLI::App& command, Options& options) {
 
 void addPageOption(CLI::App& command, Options& options) {
   options.page = "report.html";
-  OptionGroup(command, "Results").text("-o,--output", "FILE.html", options.page.string(), "The page to write",
-                                       [&](const std::string& given) { options.page = given; });
+  OptionGroup(command, "Results")
+      .text("-o,--output", "FILE.html", options.page.string(), "The page to write",
+            [&](const std::string& given) { options.page = given; });
 }
 
 void addTruthOptions(CLI::App& command, Options& options) {

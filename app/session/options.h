@@ -8,11 +8,11 @@
 #include <vector>
 
 #include "app/session/budget.h"
-#include "core/scene/built_in_scenes.h"
 #include "core/capture/capture.h"
-#include "core/pipeline/pipeline.h"
 #include "core/checks/replay.h"
 #include "core/grid/settings.h"
+#include "core/pipeline/pipeline.h"
+#include "core/scene/built_in_scenes.h"
 #include "core/tune/tune.h"
 #include "views/picture.h"
 #include "views/view.h"
@@ -30,42 +30,42 @@ struct FrameSize {
 
 // What capture, replay and their kin are told.
 struct CaptureOptions {
-  std::vector<std::filesystem::path> files;     // captures and folders of them
-  std::filesystem::path output;                 // of `capture`
+  std::vector<std::filesystem::path> files;  // captures and folders of them
+  std::filesystem::path output;              // of `capture`
   std::string note;
   CaptureProducts products{};
-  uint32_t sequence = 1;                        // frames in the file
+  uint32_t sequence = 1;  // frames in the file
   ReplayFrom from = ReplayFrom::automatic;
-  std::filesystem::path junit;                  // file; empty: none
-  std::filesystem::path differences;            // folder of difference pictures; empty: none
+  std::filesystem::path junit;        // file; empty: none
+  std::filesystem::path differences;  // folder of difference pictures; empty: none
   uint32_t repeat = 1;
-  uint32_t jobs = 1;                            // processes
-  uint32_t shard = 1;                           // of `shards`: every shards-th file
+  uint32_t jobs = 1;   // processes
+  uint32_t shard = 1;  // of `shards`: every shards-th file
   uint32_t shards = 1;
   bool salvage = false;
-  uint32_t pixelX = 0;                          // of `ray`
+  uint32_t pixelX = 0;  // of `ray`
   uint32_t pixelY = 0;
-  uint32_t randomPixels = 0;                    // of `ray`: compares as many recorded rays with the frame instead of telling one
+  uint32_t randomPixels = 0;  // of `ray`: compares as many recorded rays with the frame instead of telling one
 };
 
 // What a sweep is told.
 struct TuneOptions {
   TuneAxes axes;
-  uint32_t runs = 3;                            // timed ones of build and trace
-  std::filesystem::path csv;                    // file; empty: none
-  std::filesystem::path plot;                   // .svg or .png; empty: none
+  uint32_t runs = 3;           // timed ones of build and trace
+  std::filesystem::path csv;   // file; empty: none
+  std::filesystem::path plot;  // .svg or .png; empty: none
 };
 
 struct Options {
   // Scene.
-  std::string scene = "hall";              // path of a .gltf or .glb, or a built-in scene's name
-  uint32_t teapots = 0;                    // added to the scene
-  std::optional<uint32_t> moving;          // of the added teapots; all when not given
-  std::string camera;                      // name or numbers; empty: the scene's first
-  double time = 0.0;                       // seconds, of the first frame
+  std::string scene = "hall";      // path of a .gltf or .glb, or a built-in scene's name
+  uint32_t teapots = 0;            // added to the scene
+  std::optional<uint32_t> moving;  // of the added teapots; all when not given
+  std::string camera;              // name or numbers; empty: the scene's first
+  double time = 0.0;               // seconds, of the first frame
   uint32_t frames = 1;
-  uint32_t frame = 0;                      // which one, where a command looks at one: of a capture's sequence, or so many steps after `time`
-  double frameStep = 1.0 / 60.0;           // seconds
+  uint32_t frame = 0;             // which one, where a command looks at one: of a capture's sequence, or so many steps after `time`
+  double frameStep = 1.0 / 60.0;  // seconds
 
   // Settings; those that a built-in scene may bring are apart, because what is given here goes first.
   FrameSettings settings;
@@ -75,32 +75,32 @@ struct Options {
   std::optional<float> cellEdge;
   std::optional<uint32_t> capacity;
   std::optional<float> ahead;
-  std::filesystem::path rays;              // .npy; empty: the bounce makes them
+  std::filesystem::path rays;  // .npy; empty: the bounce makes them
 
   // Device.
-  std::string device;                      // name, index or "cpu"; empty: the first that can be used
+  std::string device;  // name, index or "cpu"; empty: the first that can be used
   bool validation = false;
 
   // Pictures and results.
-  std::vector<const View*> views;          // in the order of the list of all views
+  std::vector<const View*> views;  // in the order of the list of all views
   std::filesystem::path out = "out";
   SliceSettings slice;
   std::optional<ValueRange> range;
   bool legend = true;
   bool checkCpu = false;
-  uint32_t checkExact = 0;               // rays to compare with the nearest hit among all triangles; 0: none
-  std::vector<Budget> budgets;             // of --fail-if
-  uint32_t stability = 0;                  // first-come builds to compare; 0: none
-  std::string json;                        // file; "-": standard output; empty: none
-  uint32_t runs = 20;                      // of each stage (bench)
+  uint32_t checkExact = 0;      // rays to compare with the nearest hit among all triangles; 0: none
+  std::vector<Budget> budgets;  // of --fail-if
+  uint32_t stability = 0;       // first-come builds to compare; 0: none
+  std::string json;             // file; "-": standard output; empty: none
+  uint32_t runs = 20;           // of each stage (bench)
 
   CaptureOptions captures;
   TuneOptions tune;
-  std::filesystem::path page;              // of `report`
-  bool verify = false;                     // prove causes (explain)
-  uint32_t worst = 10;                     // rays that explain lists
-  std::vector<std::string> arguments;      // the command line as it came, the command first
-  std::vector<std::string> given;          // names of the options on the command line
+  std::filesystem::path page;          // of `report`
+  bool verify = false;                 // prove causes (explain)
+  uint32_t worst = 10;                 // rays that explain lists
+  std::vector<std::string> arguments;  // the command line as it came, the command first
+  std::vector<std::string> given;      // names of the options on the command line
 
   bool onCpu() const { return device == "cpu"; }
 };

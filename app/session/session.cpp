@@ -3,10 +3,10 @@
 
 #include <algorithm>
 
-#include "app/session/capture_files.h"
 #include "app/base/text.h"
-#include "core/pipeline/frame_capture.h"
+#include "app/session/capture_files.h"
 #include "core/base/error.h"
+#include "core/pipeline/frame_capture.h"
 
 namespace gridscope {
 
@@ -91,8 +91,10 @@ void Session::build() {
 void Session::update(uint32_t frame) {
   if (!capture_) return pipeline_.update(frameTime(frame));
   const std::vector<Instance> instances = frameInstances(*capture_, frame % capture_->frames.size());
-  if (capture_->grid.reserved == 2) pipeline_.update(instances);
-  else pipeline_.useInstances(instances);
+  if (capture_->grid.reserved == 2)
+    pipeline_.update(instances);
+  else
+    pipeline_.useInstances(instances);
   if (!capturedFrame(frame).grid.empty()) pipeline_.useGrid(capturedFrame(frame).grid);
 }
 
@@ -105,8 +107,10 @@ void Session::mustRebuild() const {
 void Session::rebuild(uint32_t frame) {
   mustRebuild();
   pipeline_.build();
-  if (capture_) pipeline_.update(frameInstances(*capture_, frame % capture_->frames.size()));
-  else pipeline_.update(frameTime(frame));
+  if (capture_)
+    pipeline_.update(frameInstances(*capture_, frame % capture_->frames.size()));
+  else
+    pipeline_.update(frameTime(frame));
 }
 
 void Session::makeRays(uint32_t frame) {
@@ -114,8 +118,10 @@ void Session::makeRays(uint32_t frame) {
   if (capture_) {
     const CaptureFrame& captured = capturedFrame(frame);
     if (!captured.gather.empty()) pipeline_.useGather(captured.gather);
-    if (!captured.rays.empty()) pipeline_.useRays(captured.rays);
-    else pipeline_.bounce(captured.bounce.frame);
+    if (!captured.rays.empty())
+      pipeline_.useRays(captured.rays);
+    else
+      pipeline_.bounce(captured.bounce.frame);
   } else if (rays_.rays.empty()) {
     pipeline_.bounce(frame);
   } else {

@@ -1,10 +1,10 @@
 // What every command on a scene begins with: the scene or the capture, the device, rays of one's own, the pipeline.
 #pragma once
 
+#include "app/base/progress.h"
 #include "app/session/load_rays.h"
 #include "app/session/load_scene.h"
 #include "app/session/options.h"
-#include "app/base/progress.h"
 #include "core/capture/capture.h"
 #include "core/gpu/context.h"
 #include "core/pipeline/pipeline.h"
@@ -22,13 +22,13 @@ class Session {
   GpuContext& gpu() { return gpu_; }
   const Capture* capture() const { return capture_ ? &*capture_ : nullptr; }  // nullptr: runs on a scene
   CaptureNames names() const;
-  Bounds bounds() const;                             // that the grid is made for
-  std::string builtBy() const;                       // the other program that built a capture's grid; empty: this one builds it
-  std::string deviceName() const;                    // that runs build, update and trace
+  Bounds bounds() const;           // that the grid is made for
+  std::string builtBy() const;     // the other program that built a capture's grid; empty: this one builds it
+  std::string deviceName() const;  // that runs build, update and trace
   const DeviceReport& deviceReport() const { return gpu_.report(); }
   uint32_t validationMessages() const { return gpu_.validationMessages(); }
-  float frameTime(uint32_t frame) const;             // seconds
-  uint32_t frameCount() const;                       // of a capture's sequence; without a capture 1
+  float frameTime(uint32_t frame) const;  // seconds
+  uint32_t frameCount() const;            // of a capture's sequence; without a capture 1
 
   // The grid: a capture's own where it holds one.
   void build();
@@ -37,7 +37,7 @@ class Session {
   // Build and update from the instances, whatever grid a capture holds. Throws Error for a foreign grid, as mustRebuild() does beforehand.
   void rebuild(uint32_t frame);
   void mustRebuild() const;
-  bool canRebuild() const;                           // false: the grid is another program's
+  bool canRebuild() const;  // false: the grid is another program's
 
   // Gather, then the rays: the bounce's, the capture's, or the person's own.
   void makeRays(uint32_t frame);

@@ -9,10 +9,10 @@
 namespace gridscope {
 
 struct SettingText {
-  std::string option;       // "--capacity"
+  std::string option;  // "--capacity"
   std::string value;
-  std::string usual;        // the default; empty: it depends on the scene
-  std::string about;        // a few words
+  std::string usual;  // the default; empty: it depends on the scene
+  std::string about;  // a few words
   bool changed() const { return !usual.empty() && value != usual; }
 };
 

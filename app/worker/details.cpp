@@ -5,11 +5,11 @@
 
 #include "app/report/capture_pictures.h"
 #include "app/worker/maker.h"
-#include "app/worker/work.h"
 #include "app/worker/shader_compiler.h"
+#include "app/worker/work.h"
+#include "core/gpu/shader_code.h"
 #include "core/pipeline/frame_capture.h"
 #include "core/trace/invariants_frame.h"
-#include "core/gpu/shader_code.h"
 
 namespace gridscope {
 
@@ -49,7 +49,8 @@ bool FrameMaker::recordRay() {
     return true;
   }
   if (current_.record && current_.record->pixel == *pixel) return true;
-  RecordedRay recorded{.pixel = *pixel, .ray = (*current_.rays)[*pixel], .record = pipeline_->record(*pixel), .frameHit = (*current_.hits)[*pixel]};
+  RecordedRay recorded{
+      .pixel = *pixel, .ray = (*current_.rays)[*pixel], .record = pipeline_->record(*pixel), .frameHit = (*current_.hits)[*pixel]};
   if (current_.gather && *pixel < current_.gather->size()) recorded.surface = (*current_.gather)[*pixel].reference;
   recorded.equalsFrame = std::memcmp(&recorded.record.hit, &recorded.frameHit, sizeof(Hit)) == 0;
   current_.record = std::make_shared<const RecordedRay>(std::move(recorded));
@@ -80,9 +81,12 @@ bool FrameMaker::measureGrid() {
 }
 
 std::vector<std::string> FrameMaker::gridFaults() const {
-  GridFacts facts{.grid = *current_.grid, .scene = pipeline_->numbered(), .demand = &*current_.demand,
+  GridFacts facts{.grid = *current_.grid,
+                  .scene = pipeline_->numbered(),
+                  .demand = &*current_.demand,
                   .tried = capturedGridHolds() ? current_.demand->total() : current_.tried};
-  if (capturedGridHolds() && !builtHere(*loaded_->capture)) facts.builtBy = loaded_->capture->writer.empty() ? "another program" : loaded_->capture->writer;
+  if (capturedGridHolds() && !builtHere(*loaded_->capture))
+    facts.builtBy = loaded_->capture->writer.empty() ? "another program" : loaded_->capture->writer;
   return faultsOf(testGrid(facts));
 }
 
@@ -98,7 +102,8 @@ bool FrameMaker::tellTruth() {
   if (tellRecorded(input)) publish(false);
   if (made_.proveAll == proved_ || made_.proveAll == 0) return true;
   const Work work(listener_, LongWork::Kind::truth, "Proving every cause");
-  ProofTotals totals = proveFrame(input, {*current_.rays, *current_.hits, *current_.exact, *current_.truths}, [&](float share) { return work.tell(share), !interrupted(); });
+  ProofTotals totals = proveFrame(input, {*current_.rays, *current_.hits, *current_.exact, *current_.truths},
+                                  [&](float share) { return work.tell(share), !interrupted(); });
   if (interrupted()) return false;
   proved_ = made_.proveAll;
   current_.proofs = std::make_shared<const ProofTotals>(std::move(totals));
@@ -120,7 +125,8 @@ bool FrameMaker::findTruths(const TruthInput& input) {
     exactHits.insert(exactHits.end(), piece.begin(), piece.end());
   }
   work.call("Finding the cause of each wrong ray");
-  std::vector<RayTruth> truths = gridscope::tellTruth(input, rays, *current_.hits, exactHits, [&](float share) { return work.tell(0.5f + 0.5f * share), !interrupted(); });
+  std::vector<RayTruth> truths = gridscope::tellTruth(input, rays, *current_.hits, exactHits,
+                                                      [&](float share) { return work.tell(0.5f + 0.5f * share), !interrupted(); });
   if (truths.size() != rays.size()) return false;
   current_.truthTotals = countTruths(truths);
   current_.ledger = std::make_shared<const Ledger>(makeLedger(input, truths));
@@ -147,7 +153,8 @@ bool FrameMaker::tellRecorded(const TruthInput& input) {
 }
 
 void FrameMaker::writeCapture(const CaptureWish& wish) {
-  if (!pipeline_ || dirty_.any() || !productsRead_) throw Error(wish.file + ": the frame is not complete yet; capture it again in a moment");
+  if (!pipeline_ || dirty_.any() || !productsRead_)
+    throw Error(wish.file + ": the frame is not complete yet; capture it again in a moment");
   Capture capture = startCapture(*pipeline_, current_.scene->names, loaded_->bounds);
   capture.writer = std::string(kWriterName) + GRIDSCOPE_VERSION;
   capture.device = current_.device;

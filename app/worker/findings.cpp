@@ -4,10 +4,10 @@
 
 #include "app/worker/maker.h"
 
-#include "core/trace/cell_rays.h"
 #include "core/grid/cell_updates.h"
 #include "core/pipeline/frame_capture.h"
 #include "core/pipeline/stability.h"
+#include "core/trace/cell_rays.h"
 
 namespace gridscope {
 

@@ -5,19 +5,19 @@
 #include <cstring>
 #include <new>
 
-#include "app/worker/work.h"
-#include "app/report/report.h"
-#include "app/frame/scene_edits.h"
 #include "app/base/text.h"
+#include "app/frame/scene_edits.h"
+#include "app/report/report.h"
+#include "app/worker/work.h"
 #include "core/pipeline/frame_capture.h"
 
 namespace gridscope {
 
 namespace {
 
-constexpr double kTileMs = 60.0;                // wanted for one tile of the trace: an interruption waits no longer
-constexpr double kPartialMs = 250.0;            // between two published parts of one trace
-constexpr double kLeastTraceMs = 80.0;          // traced of a request although another waits: who moves the camera sees what rays hit, too
+constexpr double kTileMs = 60.0;        // wanted for one tile of the trace: an interruption waits no longer
+constexpr double kPartialMs = 250.0;    // between two published parts of one trace
+constexpr double kLeastTraceMs = 80.0;  // traced of a request although another waits: who moves the camera sees what rays hit, too
 constexpr uint32_t kLeastTileRays = 1024;
 
 double millisecondsSince(std::chrono::steady_clock::time_point start) {
@@ -72,8 +72,10 @@ void FrameMaker::make(const FrameRequest& wanted) {
   } catch (const std::exception& error) {
     // What was shown before stays what is asked for; its stages run again as far as the attempt came.
     const bool back = before.settings && loaded_ && before.source == loaded_->source;
-    if (back) made_ = current_.request = before;
-    else givenUp_ = loaded_.has_value() && !productsRead_;
+    if (back)
+      made_ = current_.request = before;
+    else
+      givenUp_ = loaded_.has_value() && !productsRead_;
     fail(faultText(error));
   }
 }
@@ -84,7 +86,7 @@ std::optional<LoadedSource> FrameMaker::load(const FrameSource& source) {
   std::future<LoadedSource> loading = loadAside(source, start_);
   while (loading.wait_for(std::chrono::milliseconds(50)) != std::future_status::ready)
     if (!work.tell(-1.0f)) return std::nullopt;
-  return loading.get();   // throws what the load threw: the old source stays
+  return loading.get();  // throws what the load threw: the old source stays
 }
 
 void FrameMaker::replaceSource(LoadedSource loaded) {
@@ -104,8 +106,10 @@ void FrameMaker::checkFixed(const FrameRequest& request) const {
   if (!loaded_->capture) return;
   const std::string& name = current_.scene->name;
   if (!request.edits.empty()) throw Error(name + ": instances of a capture can't be hidden, removed or moved; open its scene for that");
-  if (request.settings->grid.numberBy != loaded_->settings.grid.numberBy) throw Error(name + ": the references of a capture keep their order; open its scene for another");
-  if (current_.scene->foreign && !sameGrid(request.settings->grid, loaded_->settings.grid)) throw Error("the grid of " + name + " is another engine's: its settings are fixed");
+  if (request.settings->grid.numberBy != loaded_->settings.grid.numberBy)
+    throw Error(name + ": the references of a capture keep their order; open its scene for another");
+  if (current_.scene->foreign && !sameGrid(request.settings->grid, loaded_->settings.grid))
+    throw Error("the grid of " + name + " is another engine's: its settings are fixed");
 }
 
 // The source, and from here on a request with settings; what it changes is added to what must run.
@@ -127,7 +131,9 @@ bool FrameMaker::bringSource(FrameRequest& request) {
   }
   if (!loaded_->capture && editsWithin(request.edits, loadedInstances_.size()).size() < request.edits.size()) {
     request.edits = editsWithin(request.edits, loadedInstances_.size());
-    if (another) listener_.say(LogLine::Kind::warning, "warning: " + current_.scene->name + " has fewer instances now: edits of those that are gone are left out");
+    if (another)
+      listener_.say(LogLine::Kind::warning,
+                    "warning: " + current_.scene->name + " has fewer instances now: edits of those that are gone are left out");
   }
   if (another && loaded_->capture) request.edits.clear();
   if (!request.settings) request.settings = made_.settings ? made_.settings : loaded_->settings;
@@ -143,11 +149,12 @@ bool FrameMaker::bringSource(FrameRequest& request) {
 }
 
 void FrameMaker::takeRequest(const FrameRequest& request) {
-  if (dirty_.slice) std::erase_if(viewsDone_, [](const std::string& name) { return !findView(name) || findView(name)->scope == ViewScope::slice; });
+  if (dirty_.slice)
+    std::erase_if(viewsDone_, [](const std::string& name) { return !findView(name) || findView(name)->scope == ViewScope::slice; });
   dirty_.slice = false;
   if (dirty_.trace) traced_ = 0, productsRead_ = false;
   if (dirty_.update) gridRead_ = gridMeasured_ = false;
-  if (!request.truth && !request.proveRecorded) proved_ = request.proveAll;   // a proof that was cancelled is not for the next truth
+  if (!request.truth && !request.proveRecorded) proved_ = request.proveAll;  // a proof that was cancelled is not for the next truth
   made_ = request;
   current_.request = request;
 }
@@ -192,7 +199,7 @@ void FrameMaker::applySettings(const FrameSettings& settings) {
   const FrameSettings before = pipeline_->settings();
   if (!sameGrid(before.grid, settings.grid)) {
     GridSettings grid = settings.grid;
-    grid.numberBy = before.grid.numberBy;   // the pipeline's references have their order
+    grid.numberBy = before.grid.numberBy;  // the pipeline's references have their order
     pipeline_->setGrid(grid);
   }
   if (before.width != settings.width || before.height != settings.height) pipeline_->setSize(settings.width, settings.height);
@@ -213,8 +220,8 @@ bool FrameMaker::capturedRaysHold() const {
   const FrameSettings &now = *made_.settings, &own = loaded_->settings;
   const std::vector<CameraPose>& cameras = loaded_->cameras;
   const CameraPose& camera = cameras.size() > 1 ? cameras[made_.frame % cameras.size()] : own.camera;
-  return made_.edits.empty() && sameCamera(now.camera, camera) && sameBounce(now.bounce, own.bounce) &&
-         now.width == own.width && now.height == own.height;
+  return made_.edits.empty() && sameCamera(now.camera, camera) && sameBounce(now.bounce, own.bounce) && now.width == own.width &&
+         now.height == own.height;
 }
 
 bool FrameMaker::capturedHitsHold() const {
@@ -261,9 +268,12 @@ bool FrameMaker::makeRays() {
     viewsDone_.clear();
   }
   if (!dirty_.bounce) return true;
-  if (capturedRaysHold() && !capturedFrame().rays.empty()) pipeline_->useRays(capturedFrame().rays);
-  else if (loaded_->rays.size() == pipeline_->rayCount()) pipeline_->useRays(loaded_->rays);
-  else pipeline_->bounce(made_.frame);
+  if (capturedRaysHold() && !capturedFrame().rays.empty())
+    pipeline_->useRays(capturedFrame().rays);
+  else if (loaded_->rays.size() == pipeline_->rayCount())
+    pipeline_->useRays(loaded_->rays);
+  else
+    pipeline_->bounce(made_.frame);
   dirty_.bounce = false;
   dirty_.trace = true;
   traced_ = 0;
@@ -304,7 +314,8 @@ bool FrameMaker::traceTiles() {
     published = Clock::now();
   }
   if (capturedHitsHold())
-    if (const uint64_t different = useCapturedHits(*pipeline_, capturedFrame().hits)) listener_.say(LogLine::Kind::warning, foreignHitsText(different));
+    if (const uint64_t different = useCapturedHits(*pipeline_, capturedFrame().hits))
+      listener_.say(LogLine::Kind::warning, foreignHitsText(different));
   dirty_.trace = false;
   fillViews(true);
   return true;
@@ -313,7 +324,7 @@ bool FrameMaker::traceTiles() {
 // Views that are asked for and not there yet. While the trace is not complete those of rays are shown as far as they are, and filled again.
 void FrameMaker::fillViews(bool complete) {
   SliceSettings slice = made_.slice;
-  slice.index = std::min(slice.index, pipeline_->parameters().grid.cellCount[slice.axis] - 1);   // the grid may have become coarser
+  slice.index = std::min(slice.index, pipeline_->parameters().grid.cellCount[slice.axis] - 1);  // the grid may have become coarser
   current_.request.slice = slice;
   bool changed = false;
   for (const std::string& name : made_.views) {

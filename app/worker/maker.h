@@ -9,8 +9,8 @@
 #include <set>
 
 #include "app/frame/changes.h"
-#include "app/worker/source.h"
 #include "app/model/window_model.h"
+#include "app/worker/source.h"
 #include "core/gpu/context.h"
 #include "views/view.h"
 
@@ -19,10 +19,10 @@ namespace gridscope {
 // What the maker tells, and asks, while it works. All are called on its thread.
 struct FrameListener {
   std::function<void(std::shared_ptr<const FrameSnapshot>)> publish;
-  std::function<bool()> interrupted;                       // has another request come, or does the program end?
-  std::function<bool()> ends;                              // does the program end?
-  std::function<bool()> cancelled;                         // has the person cancelled the long work? true once
-  std::function<void(std::optional<LongWork>)> working;    // nothing: the long work is over
+  std::function<bool()> interrupted;                     // has another request come, or does the program end?
+  std::function<bool()> ends;                            // does the program end?
+  std::function<bool()> cancelled;                       // has the person cancelled the long work? true once
+  std::function<void(std::optional<LongWork>)> working;  // nothing: the long work is over
   std::function<void(LogLine::Kind, std::string)> say;
 };
 
@@ -80,7 +80,7 @@ class FrameMaker {
   void checkFixed(const FrameRequest& request) const;
   void takeRequest(const FrameRequest& request);
   void preparePipeline();
-  void fail(const std::string& fault);          // keeps what there was, and says why
+  void fail(const std::string& fault);  // keeps what there was, and says why
   void forgetPixels();
   void replaceSource(LoadedSource loaded);
   void applySettings(const FrameSettings& settings);
@@ -100,21 +100,21 @@ class FrameMaker {
   std::vector<SceneInstance> loadedInstances_;  // of the scene without the edits that loaded_->scene has, which is the pipeline's
   std::unique_ptr<Pipeline> pipeline_;
 
-  FrameRequest made_;                           // what the stages were last asked for; settings given
-  FrameChanges dirty_;                          // stages that must run before made_ is met
-  bool givenUp_ = false;                        // the grid that made_ asks for was cancelled, and there is none before it
-  uint32_t traced_ = 0;                         // rays of this frame's trace that are done
-  uint32_t tileRays_ = 4096;                    // of the next tile
+  FrameRequest made_;         // what the stages were last asked for; settings given
+  FrameChanges dirty_;        // stages that must run before made_ is met
+  bool givenUp_ = false;      // the grid that made_ asks for was cancelled, and there is none before it
+  uint32_t traced_ = 0;       // rays of this frame's trace that are done
+  uint32_t tileRays_ = 4096;  // of the next tile
   std::set<std::string> viewsDone_;
-  std::set<ViewNeed> findings_;                 // that the pipeline has of this frame
-  Grid gridBefore_;                             // before the last update; empty: not kept
+  std::set<ViewNeed> findings_;                                   // that the pipeline has of this frame
+  Grid gridBefore_;                                               // before the last update; empty: not kept
   std::shared_ptr<const std::vector<Instance>> instancesBefore_;  // likewise; null: the last update followed a build
-  bool productsRead_ = false;                   // rays, hits, counters, gather of the complete frame are in current_
-  bool gridRead_ = false;                       // grid, triangles, totals likewise
-  bool gridMeasured_ = false;                   // demand, ledger, invariants
-  std::vector<std::string> gridFaults_;         // a line for each broken one
-  uint32_t proved_ = 0;                         // FrameRequest::proveAll that was answered last
-  FrameSnapshot current_;                       // what is published next
+  bool productsRead_ = false;                                     // rays, hits, counters, gather of the complete frame are in current_
+  bool gridRead_ = false;                                         // grid, triangles, totals likewise
+  bool gridMeasured_ = false;                                     // demand, ledger, invariants
+  std::vector<std::string> gridFaults_;                           // a line for each broken one
+  uint32_t proved_ = 0;                                           // FrameRequest::proveAll that was answered last
+  FrameSnapshot current_;                                         // what is published next
 };
 
 }  // namespace gridscope

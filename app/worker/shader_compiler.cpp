@@ -35,7 +35,9 @@ class Includer : public glslang::TShader::Includer {
   IncludeResult* includeLocal(const char* name, const char* includer, size_t) override {
     return find({fs::path(includer).parent_path() / name, folder_ / "shaders" / name, folder_ / name});
   }
-  IncludeResult* includeSystem(const char* name, const char*, size_t) override { return find({folder_ / "shaders" / name, folder_ / name}); }
+  IncludeResult* includeSystem(const char* name, const char*, size_t) override {
+    return find({folder_ / "shaders" / name, folder_ / name});
+  }
   void releaseInclude(IncludeResult* result) override {
     if (!result) return;
     delete static_cast<std::string*>(result->userData);
@@ -129,8 +131,10 @@ CompiledShaders compileShaders(const std::string& folder, const std::function<bo
   for (const ShaderCode& shader : allShaders()) {
     const bool goes = !goesOn || goesOn(float(done++) / float(allShaders().size()));
     std::vector<uint32_t> words;
-    if (goes) words = compileOne(shader, root, compiled.fault);
-    else compiled.fault = "cancelled: the passes are as they were";
+    if (goes)
+      words = compileOne(shader, root, compiled.fault);
+    else
+      compiled.fault = "cancelled: the passes are as they were";
     if (words.empty()) {
       compiled.words.clear();
       break;

@@ -9,8 +9,8 @@
 namespace gridscope {
 
 struct CompiledShaders {
-  std::map<std::string, std::vector<uint32_t>> words;   // SPIR-V by stem; empty when something failed
-  std::string fault;                                    // the compiler's text of the first that failed; empty: none
+  std::map<std::string, std::vector<uint32_t>> words;  // SPIR-V by stem; empty when something failed
+  std::string fault;                                   // the compiler's text of the first that failed; empty: none
 };
 
 // All passes. `folder`: the source folder; by default (empty) the one of the build. `goesOn` is told how much is done (0..1); where it says no,

@@ -7,14 +7,16 @@
 #include <filesystem>
 #include <thread>
 
+#include "app/base/low_priority.h"
 #include "app/session/capture_files.h"
 #include "app/session/load_rays.h"
-#include "app/base/low_priority.h"
 #include "core/pipeline/frame_capture.h"
 
 namespace gridscope {
 
-FrameSource sourceOf(const Options& options) { return {.scene = options.scene, .teapots = options.teapots, .moving = options.moving, .rays = options.rays.string()}; }
+FrameSource sourceOf(const Options& options) {
+  return {.scene = options.scene, .teapots = options.teapots, .moving = options.moving, .rays = options.rays.string()};
+}
 
 // Later sources come with the defaults: options were given for the first.
 static Options optionsFor(const FrameSource& source, const Options& start) {
@@ -31,7 +33,8 @@ static Options optionsFor(const FrameSource& source, const Options& start) {
 
 static std::vector<CameraPose> camerasOf(const Scene& scene, const CameraPose& chosen) {
   std::vector<CameraPose> cameras = scene.cameras;
-  const bool known = std::ranges::any_of(cameras, [&](const CameraPose& one) { return one.eye == chosen.eye && one.target == chosen.target; });
+  const bool known =
+      std::ranges::any_of(cameras, [&](const CameraPose& one) { return one.eye == chosen.eye && one.target == chosen.target; });
   if (!known) cameras.insert(cameras.begin(), chosen);
   for (size_t i = 0; i < cameras.size(); ++i)
     if (cameras[i].name.empty()) cameras[i].name = i == 0 ? "default" : "camera " + std::to_string(i);
@@ -51,7 +54,10 @@ static std::vector<CameraPose> camerasOf(const Capture& capture) {
   const float distance = glm::distance(first.eye, first.target);
   for (size_t i = 1; i < capture.frames.size(); ++i) {
     const CameraParameters& camera = capture.frames[i].camera;
-    cameras.push_back({.name = "frame " + std::to_string(i), .eye = camera.eye, .target = camera.eye + distance * camera.forward, .up = camera.up,
+    cameras.push_back({.name = "frame " + std::to_string(i),
+                       .eye = camera.eye,
+                       .target = camera.eye + distance * camera.forward,
+                       .up = camera.up,
                        .verticalFovDegrees = glm::degrees(2.0f * std::atan(camera.tanHalfHeight))});
   }
   return cameras;
@@ -95,7 +101,7 @@ std::future<LoadedSource> loadAside(const FrameSource& source, const Options& st
   std::thread([task = std::move(task)]() mutable {
     lowerThreadPriority();
     task();
-    task = {};   // what nobody took goes before this is said to be over
+    task = {};  // what nobody took goes before this is said to be over
     --runningLoads();
   }).detach();
   return loaded;

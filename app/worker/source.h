@@ -12,13 +12,13 @@ namespace gridscope {
 
 struct LoadedSource {
   FrameSource source;
-  Scene scene;                         // of a capture: its name, materials and warnings alone
+  Scene scene;  // of a capture: its name, materials and warnings alone
   std::optional<Capture> capture;
-  FrameSettings settings;              // the source's own, with what the command line gave
-  std::vector<Ray> rays;               // of the command line, instead of the bounce's; empty: none
-  Bounds bounds;                       // of the scene over its whole animation
-  std::vector<CameraPose> cameras;     // the file's, or the default one
-  double duration = 0.0;               // seconds of the longest animation
+  FrameSettings settings;           // the source's own, with what the command line gave
+  std::vector<Ray> rays;            // of the command line, instead of the bounce's; empty: none
+  Bounds bounds;                    // of the scene over its whole animation
+  std::vector<CameraPose> cameras;  // the file's, or the default one
+  double duration = 0.0;            // seconds of the longest animation
 };
 
 // `start`: the command line, which goes with the source that it names. Throws Error.

@@ -9,7 +9,8 @@ namespace gridscope {
 
 class FrameMaker::Work {
  public:
-  Work(const FrameListener& listener, LongWork::Kind kind, std::string what) : listener_(listener), work_{.kind = kind, .what = std::move(what), .share = -1.0f} {
+  Work(const FrameListener& listener, LongWork::Kind kind, std::string what)
+      : listener_(listener), work_{.kind = kind, .what = std::move(what), .share = -1.0f} {
     listener_.cancelled();
     listener_.working(work_);
   }

@@ -10,7 +10,8 @@ namespace gridscope {
 // Work that is over sooner is not told of.
 static constexpr double kLongWorkSeconds = 0.15;
 
-FrameWorker::FrameWorker(const Options& start, std::function<void()> wake) : start_(start), wake_(std::move(wake)), thread_([this] { run(); }) {}
+FrameWorker::FrameWorker(const Options& start, std::function<void()> wake)
+    : start_(start), wake_(std::move(wake)), thread_([this] { run(); }) {}
 
 FrameWorker::~FrameWorker() { end(); }
 

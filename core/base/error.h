@@ -22,8 +22,7 @@ enum ExitCode {
 // The world's fault. The message is one line for a person: what is wrong with which file or option, and what to do.
 class Error : public std::runtime_error {
  public:
-  explicit Error(std::string message, ExitCode exitCode = kExitBadInput)
-      : std::runtime_error(std::move(message)), exitCode_(exitCode) {}
+  explicit Error(std::string message, ExitCode exitCode = kExitBadInput) : std::runtime_error(std::move(message)), exitCode_(exitCode) {}
   ExitCode exitCode() const { return exitCode_; }
 
   // The same error with "context: " in front, as it travels up to somebody who knows the file's name.
@@ -36,16 +35,16 @@ class Error : public std::runtime_error {
 }  // namespace gridscope
 
 // Our own mistake: prints the expression with both values and aborts.
-#define GRIDSCOPE_CHECK_OP(a, op, b)                                                                           \
-  do {                                                                                                         \
-    const auto& checkA = (a);                                                                                  \
-    const auto& checkB = (b);                                                                                  \
-    if (!(checkA op checkB)) {                                                                                 \
-      std::ostringstream text;                                                                                 \
+#define GRIDSCOPE_CHECK_OP(a, op, b)                                                                                  \
+  do {                                                                                                                \
+    const auto& checkA = (a);                                                                                         \
+    const auto& checkB = (b);                                                                                         \
+    if (!(checkA op checkB)) {                                                                                        \
+      std::ostringstream text;                                                                                        \
       text << __FILE__ << ':' << __LINE__ << ": CHECK " #a " " #op " " #b " failed: " << checkA << " and " << checkB; \
-      std::fprintf(stderr, "%s\n", text.str().c_str());                                                        \
-      std::abort();                                                                                            \
-    }                                                                                                          \
+      std::fprintf(stderr, "%s\n", text.str().c_str());                                                               \
+      std::abort();                                                                                                   \
+    }                                                                                                                 \
   } while (false)
 #define CHECK(condition) GRIDSCOPE_CHECK_OP(static_cast<bool>(condition), ==, true)
 #define CHECK_EQ(a, b) GRIDSCOPE_CHECK_OP(a, ==, b)

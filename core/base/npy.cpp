@@ -17,8 +17,8 @@ static_assert(std::endian::native == std::endian::little, "arrays are taken as t
 namespace {
 
 constexpr std::string_view kMagic{"\x93NUMPY", 6};
-constexpr size_t kMostHeaderBytes = 65536;   // a header of ours has 118; numpy's own limit is 10,000
-constexpr size_t kMostDimensions = 32;       // numpy's
+constexpr size_t kMostHeaderBytes = 65536;  // a header of ours has 118; numpy's own limit is 10,000
+constexpr size_t kMostDimensions = 32;      // numpy's
 
 struct TypeRow {
   NpyType type;
@@ -46,10 +46,14 @@ class HeaderReader {
     while (!take('}')) {
       const std::string_view key = readText();
       expect(':');
-      if (key == "descr") once(hasType_), array.type = readType();
-      else if (key == "fortran_order") once(hasOrder_), readOrder();
-      else if (key == "shape") once(hasShape_), array.shape = readShape();
-      else throw Error("the header has an unknown key");
+      if (key == "descr")
+        once(hasType_), array.type = readType();
+      else if (key == "fortran_order")
+        once(hasOrder_), readOrder();
+      else if (key == "shape")
+        once(hasShape_), array.shape = readShape();
+      else
+        throw Error("the header has an unknown key");
       if (!take(',')) {
         expect('}');
         break;
@@ -148,7 +152,8 @@ void checkSize(const NpyHeader& array, uint64_t present) {
   const std::optional<uint64_t> wanted = byteCount(array.type, array.shape);
   if (!wanted) throw Error("the shape " + npyShapeText(array.shape) + " is too large for any file");
   if (*wanted > present) throw Error("ends " + std::to_string(*wanted - present) + " bytes early");
-  if (*wanted < present) throw Error("has " + std::to_string(present - *wanted) + " bytes more than its shape " + npyShapeText(array.shape) + " says");
+  if (*wanted < present)
+    throw Error("has " + std::to_string(present - *wanted) + " bytes more than its shape " + npyShapeText(array.shape) + " says");
 }
 
 }  // namespace
@@ -211,7 +216,8 @@ NpyArray readNpy(const std::filesystem::path& file, uint64_t maxBytes) {
 
 std::vector<std::byte> formatNpyHeader(NpyType type, std::span<const uint64_t> shape) {
   // The data begins at a multiple of 64 bytes; the header ends with a line feed.
-  std::string header = std::string("{'descr': '") + npyTypeName(type) + "', 'fortran_order': False, 'shape': " + npyShapeText(shape) + ", }";
+  std::string header =
+      std::string("{'descr': '") + npyTypeName(type) + "', 'fortran_order': False, 'shape': " + npyShapeText(shape) + ", }";
   const size_t prefix = kMagic.size() + 4;
   header.append(63 - (prefix + header.size()) % 64, ' ');
   header += '\n';

@@ -18,25 +18,49 @@ namespace gridscope {
 // Element types, all little-endian.
 enum class NpyType { u1, u2, u4, u8, i4, i8, f4, f8 };
 
-size_t npyTypeSize(NpyType type);          // bytes
-const char* npyTypeName(NpyType type);     // as the header spells it: "<f4", "|u1"
+size_t npyTypeSize(NpyType type);       // bytes
+const char* npyTypeName(NpyType type);  // as the header spells it: "<f4", "|u1"
 
 template <class Value>
 constexpr NpyType npyTypeOf();
-template <> constexpr NpyType npyTypeOf<uint8_t>() { return NpyType::u1; }
-template <> constexpr NpyType npyTypeOf<uint16_t>() { return NpyType::u2; }
-template <> constexpr NpyType npyTypeOf<uint32_t>() { return NpyType::u4; }
-template <> constexpr NpyType npyTypeOf<uint64_t>() { return NpyType::u8; }
-template <> constexpr NpyType npyTypeOf<int32_t>() { return NpyType::i4; }
-template <> constexpr NpyType npyTypeOf<int64_t>() { return NpyType::i8; }
-template <> constexpr NpyType npyTypeOf<float>() { return NpyType::f4; }
-template <> constexpr NpyType npyTypeOf<double>() { return NpyType::f8; }
+template <>
+constexpr NpyType npyTypeOf<uint8_t>() {
+  return NpyType::u1;
+}
+template <>
+constexpr NpyType npyTypeOf<uint16_t>() {
+  return NpyType::u2;
+}
+template <>
+constexpr NpyType npyTypeOf<uint32_t>() {
+  return NpyType::u4;
+}
+template <>
+constexpr NpyType npyTypeOf<uint64_t>() {
+  return NpyType::u8;
+}
+template <>
+constexpr NpyType npyTypeOf<int32_t>() {
+  return NpyType::i4;
+}
+template <>
+constexpr NpyType npyTypeOf<int64_t>() {
+  return NpyType::i8;
+}
+template <>
+constexpr NpyType npyTypeOf<float>() {
+  return NpyType::f4;
+}
+template <>
+constexpr NpyType npyTypeOf<double>() {
+  return NpyType::f8;
+}
 
 // An array in C order: the last index runs fastest.
 struct NpyArray {
   NpyType type = NpyType::u1;
-  std::vector<uint64_t> shape;             // empty: one value
-  std::vector<std::byte> bytes;            // elementCount() values
+  std::vector<uint64_t> shape;   // empty: one value
+  std::vector<std::byte> bytes;  // elementCount() values
 
   uint64_t elementCount() const { return bytes.size() / npyTypeSize(type); }
 
@@ -52,7 +76,7 @@ struct NpyArray {
 struct NpyHeader {
   NpyType type = NpyType::u1;
   std::vector<uint64_t> shape;
-  size_t dataOffset = 0;                   // of the first value in the file
+  size_t dataOffset = 0;  // of the first value in the file
 };
 
 // Throws Error as parseNpy(), which it is the first half of; the data may be missing, or be of another size.

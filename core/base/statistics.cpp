@@ -25,9 +25,12 @@ RayTotals countRays(std::span<const Hit> hits) {
   for (const Hit& hit : hits) {
     if (hit.kind == kHitNoRay) continue;
     totals.count += 1;
-    if (hit.kind == kHitTriangle) totals.triangleHits += 1;
-    else if (hit.kind == kHitVoxel) totals.voxelHits += 1;
-    else totals.misses += 1;
+    if (hit.kind == kHitTriangle)
+      totals.triangleHits += 1;
+    else if (hit.kind == kHitVoxel)
+      totals.voxelHits += 1;
+    else
+      totals.misses += 1;
   }
   return totals;
 }
@@ -46,8 +49,10 @@ CounterTotals summariseCounters(std::span<const RayCounters> counters, std::span
 TriangleTotals countTriangles(const GridParameters& grid, std::span<const Triangle> worldTriangles) {
   TriangleTotals totals;
   for (const Triangle& triangle : worldTriangles) {
-    if (triangleDegenerate(triangleNormal(triangle))) totals.degenerate += 1;
-    else if (triangleCells(grid, triangle).clipped) totals.outside += 1;
+    if (triangleDegenerate(triangleNormal(triangle)))
+      totals.degenerate += 1;
+    else if (triangleCells(grid, triangle).clipped)
+      totals.outside += 1;
   }
   return totals;
 }

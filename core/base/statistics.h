@@ -12,7 +12,7 @@ namespace gridscope {
 // Of a whole number counted for each ray.
 struct Summary {
   double mean = 0.0;
-  uint32_t p99 = 0;   // 99 in 100 rays have at most this many
+  uint32_t p99 = 0;  // 99 in 100 rays have at most this many
   uint32_t max = 0;
 };
 
@@ -20,10 +20,10 @@ struct Summary {
 Summary summarise(std::span<const uint32_t> values);
 
 struct RayTotals {
-  uint64_t count = 0;          // valid rays: the three below
+  uint64_t count = 0;  // valid rays: the three below
   uint64_t triangleHits = 0;
   uint64_t voxelHits = 0;
-  uint64_t misses = 0;         // left the grid, never met it, or reached the limit of segments
+  uint64_t misses = 0;  // left the grid, never met it, or reached the limit of segments
 };
 
 // Pixels without a ray are not counted.
@@ -38,8 +38,8 @@ struct CounterTotals {
 CounterTotals summariseCounters(std::span<const RayCounters> counters, std::span<const Hit> hits);
 
 struct TriangleTotals {
-  uint64_t degenerate = 0;     // without area: not inserted
-  uint64_t outside = 0;        // the bounding box reaches beyond the grid
+  uint64_t degenerate = 0;  // without area: not inserted
+  uint64_t outside = 0;     // the bounding box reaches beyond the grid
 };
 
 // Over world triangles, as the stages count them, whatever the update's mode.

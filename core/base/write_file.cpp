@@ -52,7 +52,8 @@ class TemporaryFile {
  private:
   Error fault() const {
     const std::string reason = std::strerror(errno);
-    return Error("can't be saved: " + reason + (std::filesystem::exists(target_) ? "; the file that was there is unchanged" : "; nothing was written"));
+    return Error("can't be saved: " + reason +
+                 (std::filesystem::exists(target_) ? "; the file that was there is unchanged" : "; nothing was written"));
   }
   Error dropped() {
     const Error error = fault();

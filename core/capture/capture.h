@@ -10,10 +10,10 @@
 #include <string>
 #include <vector>
 
-#include "core/grid/grid.h"
 #include "core/base/npy.h"
-#include "core/scene/numbering.h"
+#include "core/grid/grid.h"
 #include "core/grid/settings.h"
+#include "core/scene/numbering.h"
 
 namespace gridscope {
 
@@ -32,20 +32,20 @@ struct InstanceRows {
 
 // The nearest hit among all triangles, without a grid.
 struct ExactHit {
-  float t;                                // distance, world units; 0: nothing hit
-  uint32_t reference;                     // kBlank: nothing hit
+  float t;             // distance, world units; 0: nothing hit
+  uint32_t reference;  // kBlank: nothing hit
 };
 
 // What changes from frame to frame. Products are empty where the capture does not hold them; all frames hold the same ones.
 struct CaptureFrame {
   float timeSeconds = 0.0f;
   CameraParameters camera{};
-  BounceParameters bounce{};              // with the frame's number and the seed
+  BounceParameters bounce{};  // with the frame's number and the seed
   ViewParameters view{};
-  std::vector<InstanceRows> rows;         // of all instances; static ones are the same in every frame
+  std::vector<InstanceRows> rows;  // of all instances; static ones are the same in every frame
 
-  std::vector<uint32_t> grid;             // texels, x fastest
-  std::vector<GatherPixel> gather;        // width * height, first row at the top; likewise the next four
+  std::vector<uint32_t> grid;       // texels, x fastest
+  std::vector<GatherPixel> gather;  // width * height, first row at the top; likewise the next four
   std::vector<Ray> rays;
   std::vector<Hit> hits;
   std::vector<RayCounters> counters;
@@ -56,7 +56,7 @@ struct CaptureFrame {
 struct CaptureNames {
   std::string scene;
   std::vector<std::string> meshes;
-  std::vector<std::string> instances;     // the scene's instances
+  std::vector<std::string> instances;  // the scene's instances
   std::vector<std::string> materials;
 };
 
@@ -67,29 +67,29 @@ struct CaptureEntryBytes {
 };
 
 struct Capture {
-  std::string writer;                     // program and version
-  std::string device;                     // that made the products
+  std::string writer;  // program and version
+  std::string device;  // that made the products
   std::string driver;
   std::string note;
 
-  FrameSettings settings;                 // camera: the first frame's
-  GridParameters grid{};                  // every frame's, bit for bit
+  FrameSettings settings;  // camera: the first frame's
+  GridParameters grid{};   // every frame's, bit for bit
   TraceParameters trace{};
-  Bounds bounds;                          // of the scene over its whole animation: what the grid was made for
-  NumberedScene scene;                    // transforms of the first frame. TraceMaterial::layer names an image of the scene file: not in the capture
+  Bounds bounds;        // of the scene over its whole animation: what the grid was made for
+  NumberedScene scene;  // transforms of the first frame. TraceMaterial::layer names an image of the scene file: not in the capture
   CaptureNames names;
-  std::vector<CaptureFrame> frames;       // one or more
-  std::vector<std::byte> preview;         // a PNG file; empty: none
+  std::vector<CaptureFrame> frames;  // one or more
+  std::vector<std::byte> preview;    // a PNG file; empty: none
 
   std::vector<CaptureEntryBytes> unknownEntries;  // by rising name
-  std::string unknownKeys;                // manifest keys that this version does not know, as a JSON object; empty: none
-  std::vector<std::string> faults;        // salvage: a line for every entry that was left out; never written
+  std::string unknownKeys;                        // manifest keys that this version does not know, as a JSON object; empty: none
+  std::vector<std::string> faults;                // salvage: a line for every entry that was left out; never written
 };
 
 // A frame's pieces as the stages take them.
 FrameParameters frameParameters(const Capture& capture, size_t frame);
-NumberedScene frameScene(const Capture& capture, size_t frame);        // with the frame's transforms
-Grid frameGrid(const Capture& capture, size_t frame);                  // the frame must hold one
+NumberedScene frameScene(const Capture& capture, size_t frame);              // with the frame's transforms
+Grid frameGrid(const Capture& capture, size_t frame);                        // the frame must hold one
 std::vector<uint32_t> movedInstances(const Capture& capture, size_t frame);  // since the frame before (rising); all dynamic ones in frame 0
 std::vector<InstanceRows> rowsOf(std::span<const Instance> instances);
 
@@ -101,13 +101,13 @@ struct CaptureProducts {
   bool hits = true;
   bool counters = true;
   bool preview = true;
-  bool exact = false;                     // taking it costs a trace of every ray in C++
+  bool exact = false;  // taking it costs a trace of every ray in C++
 };
 
 struct ReadOptions {
-  bool salvage = false;                   // leave damaged entries out, with what needs them, instead of refusing; Capture::faults says which
+  bool salvage = false;  // leave damaged entries out, with what needs them, instead of refusing; Capture::faults says which
   CaptureProducts products{.exact = true};
-  bool unknownEntries = true;             // keep them: needed to write the capture again
+  bool unknownEntries = true;  // keep them: needed to write the capture again
   uint64_t memoryLimit = kCaptureMemoryLimit;
 };
 
@@ -129,18 +129,18 @@ void checkCapture(const Capture& capture);
 
 // What a capture holds, from its directory and manifest alone.
 struct CaptureEntry {
-  std::string name;                       // "grid.npy"
+  std::string name;  // "grid.npy"
   uint64_t bytes = 0;
   uint64_t compressedBytes = 0;
-  std::string type;                       // "<u4"; empty: not an array that the manifest lists
+  std::string type;  // "<u4"; empty: not an array that the manifest lists
   std::vector<uint64_t> shape;
 };
 
 struct CaptureDirectory {
-  std::string manifest;                   // its JSON text
+  std::string manifest;  // its JSON text
   uint32_t version = 0;
   uint64_t fileBytes = 0;
-  std::vector<CaptureEntry> entries;      // in the file's order, the manifest included
+  std::vector<CaptureEntry> entries;  // in the file's order, the manifest included
 };
 
 CaptureDirectory listCapture(const std::filesystem::path& file);

@@ -8,8 +8,8 @@
 #include <cstring>
 #include <limits>
 
-#include "core/grid/derive.h"
 #include "core/base/parallel.h"
+#include "core/grid/derive.h"
 #include "shaders/shared/grid/grid.h"
 #include "shaders/shared/scene/triangle.h"
 
@@ -17,9 +17,9 @@ namespace gridscope {
 
 namespace {
 
-constexpr double kUnitTolerance = 1e-3;          // of a ray's direction: a segment must be about as long as a cell
-constexpr uint32_t kMostAlphaSide = 65536;       // texels
-constexpr size_t kGrain = 65536;                 // elements that one core checks in a row
+constexpr double kUnitTolerance = 1e-3;     // of a ray's direction: a segment must be about as long as a cell
+constexpr uint32_t kMostAlphaSide = 65536;  // texels
+constexpr size_t kGrain = 65536;            // elements that one core checks in a row
 
 // Triangles that are looked at one by one, once the box of their instance has left the range of coordinates.
 constexpr uint64_t kMostExactTriangles = uint64_t{1} << 28;
@@ -71,20 +71,24 @@ void checkGridParameters(const GridParameters& grid) {
          "manifest.json: grid.origin and cellEdge lead beyond " + text(uint64_t(limit)));
   float farthest = 0.0f;
   for (int axis = 0; axis < 3; ++axis) farthest = std::max({farthest, std::abs(grid.origin[axis]), std::abs(high[axis])});
-  demand(grid.cellEdge >= 4.0f * (std::nextafter(farthest, INFINITY) - farthest), "manifest.json: grid.cellEdge is too small for 32-bit floats at its origin");
+  demand(grid.cellEdge >= 4.0f * (std::nextafter(farthest, INFINITY) - farthest),
+         "manifest.json: grid.cellEdge is too small for 32-bit floats at its origin");
   demand(std::abs(double(grid.inverseCellEdge) * grid.cellEdge - 1.0) < 1e-6, "manifest.json: grid.inverseCellEdge is not 1 / cellEdge");
 
-  demand(std::isfinite(grid.planeRadiusSquared) && grid.planeRadiusSquared >= 0.0f, "manifest.json: grid.planeRadiusSquared is not a squared length");
+  demand(std::isfinite(grid.planeRadiusSquared) && grid.planeRadiusSquared >= 0.0f,
+         "manifest.json: grid.planeRadiusSquared is not a squared length");
   demand(std::isfinite(grid.boxHalfEdge) && grid.boxHalfEdge >= 0.0f, "manifest.json: grid.boxHalfEdge is not a length");
   demand(grid.overlap <= kOverlapExact && grid.insertion <= kInsertionFirstCome, "manifest.json: grid.overlap or insertion is unknown");
-  demand(grid.cellsPerInvocation >= 1 && grid.cellsPerInvocation <= kLoopBudget, "manifest.json: grid.cellsPerInvocation is not from 1 to 65535");
+  demand(grid.cellsPerInvocation >= 1 && grid.cellsPerInvocation <= kLoopBudget,
+         "manifest.json: grid.cellsPerInvocation is not from 1 to 65535");
 }
 
 void checkTraceParameters(const TraceParameters& trace) {
   for (float value : {trace.tMin, trace.back, trace.ahead, trace.gate})
     demand(value >= 0.0f && value <= kFar, "manifest.json: trace.tMin, back, ahead and gate must be lengths from 0");
   demand(trace.gapFill <= 1 && trace.traversal <= kTraversalDda, "manifest.json: trace.gapFill or traversal is unknown");
-  demand(trace.maxSegments >= 1 && trace.maxSegments <= uint32_t(INT32_MAX), "manifest.json: trace.maxSegments is not from 1 to 2147483647");
+  demand(trace.maxSegments >= 1 && trace.maxSegments <= uint32_t(INT32_MAX),
+         "manifest.json: trace.maxSegments is not from 1 to 2147483647");
   demand(trace.segmentsPerPass >= 1 && trace.segmentsPerPass <= kLoopBudget, "manifest.json: trace.segmentsPerPass is not from 1 to 65535");
 }
 
@@ -93,16 +97,19 @@ void checkSettings(const FrameSettings& settings) {
   for (float value : {grid.cellEdge, grid.enlargement, settings.trace.back, settings.trace.ahead, settings.trace.tMin, settings.trace.gate,
                       settings.bounce.roughness, settings.camera.verticalFovDegrees})
     demand(std::isfinite(value), "manifest.json: a setting is not finite");
-  demand(finite(settings.camera.eye) && finite(settings.camera.target) && finite(settings.camera.up), "manifest.json: settings.camera is not finite");
+  demand(finite(settings.camera.eye) && finite(settings.camera.target) && finite(settings.camera.up),
+         "manifest.json: settings.camera is not finite");
   demand(!grid.bounds || (finite(grid.bounds->low) && finite(grid.bounds->high)), "manifest.json: settings.grid.bounds is not finite");
   demand(settings.width >= 1 && settings.height >= 1 && settings.width <= 65535 && settings.height <= 65535,
          "manifest.json: settings.width and height are not from 1 to 65535");
-  demand(uint64_t(settings.width) * settings.height <= kMostPixels, "manifest.json: settings.width and height make more than " + text(kMostPixels) + " pixels");
+  demand(uint64_t(settings.width) * settings.height <= kMostPixels,
+         "manifest.json: settings.width and height make more than " + text(kMostPixels) + " pixels");
 }
 
 void checkFrameParameters(const Capture& capture, const CaptureFrame& frame) {
   const CameraParameters& camera = frame.camera;
-  demand(camera.width == capture.settings.width && camera.height == capture.settings.height, "manifest.json: a frame's camera has another size than settings");
+  demand(camera.width == capture.settings.width && camera.height == capture.settings.height,
+         "manifest.json: a frame's camera has another size than settings");
   demand(finite(camera.eye) && finite(camera.right) && finite(camera.up) && finite(camera.forward) && std::isfinite(camera.nearPlane) &&
              std::isfinite(camera.tanHalfWidth) && std::isfinite(camera.tanHalfHeight),
          "manifest.json: a frame's camera is not finite");
@@ -118,7 +125,8 @@ void checkMaterials(const NumberedScene& scene) {
   const uint64_t alphaBytes = uint64_t(scene.alphaBytes.size()) * 4;
   for (size_t i = 0; i < scene.materials.size(); ++i) {
     const TraceMaterial& m = scene.materials[i];
-    demand(finite(m.baseColour) && std::isfinite(m.metallic) && std::isfinite(m.roughness), "materials_shading.npy: material " + text(i) + " is not finite");
+    demand(finite(m.baseColour) && std::isfinite(m.metallic) && std::isfinite(m.roughness),
+           "materials_shading.npy: material " + text(i) + " is not finite");
     const std::string name = "materials_keying.npy: material " + text(i);
     demand(m.flags <= (kMaterialAlphaKeyed | kMaterialUnlit | kMaterialDoubleSided), name + " has an unknown flag");
     demand(m.wrapU <= 2 && m.wrapV <= 2, name + " has an unknown wrap mode");
@@ -131,30 +139,39 @@ void checkMaterials(const NumberedScene& scene) {
 
 void checkInstances(const Capture& capture) {
   const NumberedScene& scene = capture.scene;
-  demand(!scene.instances.empty() && scene.instances.size() <= kMostInstances, "instances.npy: holds " + text(scene.instances.size()) + " instances, not 1 to 65535");
+  demand(!scene.instances.empty() && scene.instances.size() <= kMostInstances,
+         "instances.npy: holds " + text(scene.instances.size()) + " instances, not 1 to 65535");
   demandCount("instances.npy", scene.sources.size(), scene.instances.size(), "instances");
   uint64_t triangles = 0;
   for (size_t i = 0; i < scene.instances.size(); ++i) {
     const Instance& instance = scene.instances[i];
     const InstanceSource& source = scene.sources[i];
     const std::string name = "instances.npy: instance " + text(i);
-    demand(instance.triangleCount >= 1 && instance.triangleCount <= kMostTrianglesPerInstance, name + " has " + text(instance.triangleCount) + " triangles, not 1 to 65536");
-    demand(uint64_t(instance.firstTriangle) + instance.triangleCount <= scene.objectTriangles.size(), name + " leads beyond the " + text(scene.objectTriangles.size()) + " of triangles.npy");
-    demand(instance.material < scene.materials.size(), name + " has material " + text(instance.material) + " of " + text(scene.materials.size()));
+    demand(instance.triangleCount >= 1 && instance.triangleCount <= kMostTrianglesPerInstance,
+           name + " has " + text(instance.triangleCount) + " triangles, not 1 to 65536");
+    demand(uint64_t(instance.firstTriangle) + instance.triangleCount <= scene.objectTriangles.size(),
+           name + " leads beyond the " + text(scene.objectTriangles.size()) + " of triangles.npy");
+    demand(instance.material < scene.materials.size(),
+           name + " has material " + text(instance.material) + " of " + text(scene.materials.size()));
     demand(source.mesh < capture.names.meshes.size(), name + " has mesh " + text(source.mesh) + " of " + text(capture.names.meshes.size()));
-    demand(source.sceneInstance < capture.names.instances.size(), name + " is of scene instance " + text(source.sceneInstance) + " of " + text(capture.names.instances.size()));
-    demand(source.firstTriangle == instance.firstTriangle && instance.firstWorldTriangle == triangles, name + " does not follow the one before it");
+    demand(source.sceneInstance < capture.names.instances.size(),
+           name + " is of scene instance " + text(source.sceneInstance) + " of " + text(capture.names.instances.size()));
+    demand(source.firstTriangle == instance.firstTriangle && instance.firstWorldTriangle == triangles,
+           name + " does not follow the one before it");
     triangles += instance.triangleCount;
     demand(triangles <= kMostWorldTriangles, "instances.npy: places more than " + text(kMostWorldTriangles) + " triangles");
   }
 
   // What the grid's parameters say of it.
-  demand(scene.staticInstanceCount <= scene.instances.size(), "manifest.json: grid.staticInstanceCount is " + text(scene.staticInstanceCount) + " of " + text(scene.instances.size()) + " instances");
-  const uint64_t staticTriangles = scene.staticInstanceCount == scene.instances.size() ? triangles : scene.instances[scene.staticInstanceCount].firstWorldTriangle;
+  demand(scene.staticInstanceCount <= scene.instances.size(), "manifest.json: grid.staticInstanceCount is " +
+                                                                  text(scene.staticInstanceCount) + " of " + text(scene.instances.size()) +
+                                                                  " instances");
+  const uint64_t staticTriangles =
+      scene.staticInstanceCount == scene.instances.size() ? triangles : scene.instances[scene.staticInstanceCount].firstWorldTriangle;
   demand(scene.triangleCount == triangles && scene.staticTriangleCount == staticTriangles, "instances.npy: its triangles do not add up");
   const GridParameters& grid = capture.grid;
-  demand(grid.instanceCount == scene.instances.size() && grid.staticInstanceCount == scene.staticInstanceCount && grid.triangleCount == triangles &&
-             grid.staticTriangleCount == staticTriangles,
+  demand(grid.instanceCount == scene.instances.size() && grid.staticInstanceCount == scene.staticInstanceCount &&
+             grid.triangleCount == triangles && grid.staticTriangleCount == staticTriangles,
          "manifest.json: grid's instance and triangle counts are not those of instances.npy");
 }
 
@@ -165,15 +182,18 @@ vec3 rowsPoint(const InstanceRows& rows, const vec3& p) { return transformPoint(
 bool withinWorld(const NumberedScene& scene, const Instance& instance, const InstanceRows& rows, const Bounds& box, uint64_t& exact) {
   bool all = true;
   for (int corner = 0; corner < 8 && all; ++corner)
-    all = withinLimit(rowsPoint(rows, {corner & 1 ? box.high.x : box.low.x, corner & 2 ? box.high.y : box.low.y, corner & 4 ? box.high.z : box.low.z}), 2.0f * kCoordinateLimit);
+    all = withinLimit(
+        rowsPoint(rows, {corner & 1 ? box.high.x : box.low.x, corner & 2 ? box.high.y : box.low.y, corner & 4 ? box.high.z : box.low.z}),
+        2.0f * kCoordinateLimit);
   if (all) return true;
   if (exact < instance.triangleCount) return false;
   exact -= instance.triangleCount;
-  return std::ranges::all_of(std::span(scene.objectTriangles).subspan(instance.firstTriangle, instance.triangleCount), [&](const Triangle& triangle) {
-    for (const vec3& point : {triangle.a, triangle.b, triangle.c})
-      if (!withinLimit(rowsPoint(rows, point), 2.0f * kCoordinateLimit)) return false;
-    return true;
-  });
+  return std::ranges::all_of(std::span(scene.objectTriangles).subspan(instance.firstTriangle, instance.triangleCount),
+                             [&](const Triangle& triangle) {
+                               for (const vec3& point : {triangle.a, triangle.b, triangle.c})
+                                 if (!withinLimit(rowsPoint(rows, point), 2.0f * kCoordinateLimit)) return false;
+                               return true;
+                             });
 }
 
 void checkTransforms(const Capture& capture) {
@@ -187,7 +207,9 @@ void checkTransforms(const Capture& capture) {
       const Instance& instance = scene.instances[i];
       if (f == 0)
         for (uint32_t t = 0; t < instance.triangleCount; ++t)
-          for (const vec3& point : {scene.objectTriangles[instance.firstTriangle + t].a, scene.objectTriangles[instance.firstTriangle + t].b, scene.objectTriangles[instance.firstTriangle + t].c})
+          for (const vec3& point :
+               {scene.objectTriangles[instance.firstTriangle + t].a, scene.objectTriangles[instance.firstTriangle + t].b,
+                scene.objectTriangles[instance.firstTriangle + t].c})
             boxes[i].include(point);
       const std::string name = "instances_transform.npy: instance " + text(i) + " of frame " + text(f);
       demand(finite(rows[i].row0) && finite(rows[i].row1) && finite(rows[i].row2), name + " has a transform that is not finite");
@@ -198,12 +220,14 @@ void checkTransforms(const Capture& capture) {
              "instances_transform.npy: a static instance moves in frame " + text(f));
   }
   for (size_t i = 0; i < scene.instances.size(); ++i)
-    demand(std::memcmp(&scene.instances[i], &capture.frames[0].rows[i], sizeof(InstanceRows)) == 0, "instances_transform.npy: the scene is not as in its first frame");
+    demand(std::memcmp(&scene.instances[i], &capture.frames[0].rows[i], sizeof(InstanceRows)) == 0,
+           "instances_transform.npy: the scene is not as in its first frame");
 }
 
 void checkGeometry(const NumberedScene& scene) {
   const size_t count = scene.objectTriangles.size();
-  demand(count >= 1 && count <= kMostWorldTriangles, "triangles.npy: holds " + text(count) + " triangles, not 1 to " + text(kMostWorldTriangles));
+  demand(count >= 1 && count <= kMostWorldTriangles,
+         "triangles.npy: holds " + text(count) + " triangles, not 1 to " + text(kMostWorldTriangles));
   demandCount("corners_normal.npy", scene.corners.size(), 3 * count, "corners of triangles");
   demandCount("triangles_number.npy", scene.meshTriangles.size(), count, "triangles");
   size_t fault = firstFault(count, [&](size_t i) {
@@ -211,7 +235,9 @@ void checkGeometry(const NumberedScene& scene) {
     return finite(t.a) && finite(t.b) && finite(t.c);
   });
   demand(fault == count, "triangles.npy: triangle " + text(fault) + " is not finite");
-  fault = firstFault(scene.corners.size(), [&](size_t i) { return finite(scene.corners[i].normal) && std::isfinite(scene.corners[i].uv.x) && std::isfinite(scene.corners[i].uv.y); });
+  fault = firstFault(scene.corners.size(), [&](size_t i) {
+    return finite(scene.corners[i].normal) && std::isfinite(scene.corners[i].uv.x) && std::isfinite(scene.corners[i].uv.y);
+  });
   demand(fault == scene.corners.size(), "corners_normal.npy or corners_uv.npy: corner " + text(fault) + " is not finite");
 }
 
@@ -249,8 +275,8 @@ void checkGrid(const Capture& capture, const CaptureFrame& frame, const Referenc
   ivec3 cell = texelAt(count, fault);
   const int slot = cell[grid.stretchAxis] % grid.stride;
   cell[grid.stretchAxis] /= grid.stride;
-  throw Error("grid.npy: cell (" + std::to_string(cell.x) + ", " + std::to_string(cell.y) + ", " + std::to_string(cell.z) + ") slot " + std::to_string(slot) + " " +
-              references.fault(frame.grid[fault]));
+  throw Error("grid.npy: cell (" + std::to_string(cell.x) + ", " + std::to_string(cell.y) + ", " + std::to_string(cell.z) + ") slot " +
+              std::to_string(slot) + " " + references.fault(frame.grid[fault]));
 }
 
 std::string pixelName(const Capture& capture, size_t index) {
@@ -261,13 +287,16 @@ void checkGather(const Capture& capture, const CaptureFrame& frame, const Refere
   const size_t fault = firstFault(frame.gather.size(), [&](size_t i) {
     const GatherPixel& pixel = frame.gather[i];
     if (pixel.reference == kBlank) return true;
-    return references.exists(pixel.reference) && pixel.material < capture.scene.materials.size() && finite(pixel.position) && finite(pixel.geometricNormal) &&
-           finite(pixel.shadingNormal) && std::isfinite(pixel.depth);
+    return references.exists(pixel.reference) && pixel.material < capture.scene.materials.size() && finite(pixel.position) &&
+           finite(pixel.geometricNormal) && finite(pixel.shadingNormal) && std::isfinite(pixel.depth);
   });
   if (fault == frame.gather.size()) return;
   const GatherPixel& pixel = frame.gather[fault];
-  if (!references.exists(pixel.reference)) throw Error("gather_reference.npy: " + pixelName(capture, fault) + " " + references.fault(pixel.reference));
-  if (pixel.material >= capture.scene.materials.size()) throw Error("gather_material.npy: " + pixelName(capture, fault) + " has material " + text(pixel.material) + " of " + text(capture.scene.materials.size()));
+  if (!references.exists(pixel.reference))
+    throw Error("gather_reference.npy: " + pixelName(capture, fault) + " " + references.fault(pixel.reference));
+  if (pixel.material >= capture.scene.materials.size())
+    throw Error("gather_material.npy: " + pixelName(capture, fault) + " has material " + text(pixel.material) + " of " +
+                text(capture.scene.materials.size()));
   throw Error("gather_position.npy, a normal or gather_depth.npy: " + pixelName(capture, fault) + " is not finite");
 }
 
@@ -276,9 +305,12 @@ void checkRays(const Capture& capture, const CaptureFrame& frame) {
   const auto faultOf = [](const Ray& ray) {
     if (ray.valid > 1) return "rays_valid.npy: %: neither 0 nor 1";
     if (ray.valid == 0) return "";
-    if (!finite(ray.origin) || !withinLimit(ray.origin, 2.0f * kCoordinateLimit)) return "rays_origin.npy: % starts beyond the coordinates that are supported (1e6)";
-    if (!finite(ray.direction) || std::abs(glm::length(glm::dvec3(ray.direction)) - 1.0) > kUnitTolerance) return "rays_direction.npy: % has a direction that is not of length 1";
-    if (!finite(ray.launchNormal) || glm::length(glm::dvec3(ray.launchNormal)) > 1.0 + kUnitTolerance) return "rays_launch_normal.npy: % has a normal that is longer than 1";
+    if (!finite(ray.origin) || !withinLimit(ray.origin, 2.0f * kCoordinateLimit))
+      return "rays_origin.npy: % starts beyond the coordinates that are supported (1e6)";
+    if (!finite(ray.direction) || std::abs(glm::length(glm::dvec3(ray.direction)) - 1.0) > kUnitTolerance)
+      return "rays_direction.npy: % has a direction that is not of length 1";
+    if (!finite(ray.launchNormal) || glm::length(glm::dvec3(ray.launchNormal)) > 1.0 + kUnitTolerance)
+      return "rays_launch_normal.npy: % has a normal that is longer than 1";
     return "";
   };
   const size_t fault = firstFault(frame.rays.size(), [&](size_t i) { return *faultOf(frame.rays[i]) == '\0'; });
@@ -308,14 +340,16 @@ void checkExact(const Capture& capture, const CaptureFrame& frame, const Referen
     const ExactHit& hit = frame.exact[i];
     const std::string pixel = pixelName(capture, i);
     if (!std::isfinite(hit.t)) throw Error("exact_t.npy: " + pixel + " is not finite");
-    if (hit.reference != kBlank && !references.exists(hit.reference)) throw Error("exact_reference.npy: " + pixel + " " + references.fault(hit.reference));
+    if (hit.reference != kBlank && !references.exists(hit.reference))
+      throw Error("exact_reference.npy: " + pixel + " " + references.fault(hit.reference));
   }
 }
 
 template <class Element>
 void checkPixelCount(const Capture& capture, Part part, const std::vector<Element>& elements) {
   const uint64_t pixels = uint64_t(capture.settings.width) * capture.settings.height;
-  if (elements.size() != pixels) throw Error(std::string(partRow(part).name) + ": " + text(elements.size()) + " pixels where settings say " + text(pixels));
+  if (elements.size() != pixels)
+    throw Error(std::string(partRow(part).name) + ": " + text(elements.size()) + " pixels where settings say " + text(pixels));
 }
 
 }  // namespace

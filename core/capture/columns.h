@@ -28,20 +28,20 @@ struct InstanceColumns {
 
 struct PartRow {
   Part part;
-  const char* name;             // for messages
+  const char* name;  // for messages
   Lead lead;
   size_t elementBytes;
-  bool perFrame;                // may have a leading frame axis
+  bool perFrame;  // may have a leading frame axis
 };
 
 struct ColumnRow {
   const char* entry;
   Part part;
   NpyType type;
-  size_t offset;                // of its values in the structure
-  std::vector<uint64_t> tail;   // dimensions behind the lead
-  bool optional;                // the part can do without it: zero, or one where `valid` says so
-  bool narrow;                  // a 32-bit word of the structure, stored as one byte
+  size_t offset;               // of its values in the structure
+  std::vector<uint64_t> tail;  // dimensions behind the lead
+  bool optional;               // the part can do without it: zero, or one where `valid` says so
+  bool narrow;                 // a 32-bit word of the structure, stored as one byte
 };
 
 const PartRow& partRow(Part part);

@@ -25,7 +25,8 @@ Difference compareBytes(std::span<const T> a, std::span<const T> b, const Descri
 }
 
 const char* kindName(uint32_t kind) {
-  static constexpr const char* kNames[] = {"no ray", "triangle hit", "voxel hit", "miss", "miss (limit of segments)", "unfinished", "cut short"};
+  static constexpr const char* kNames[] = {"no ray",     "triangle hit", "voxel hit", "miss", "miss (limit of segments)",
+                                           "unfinished", "cut short"};
   return kind < std::size(kNames) ? kNames[kind] : "unknown kind";
 }
 
@@ -82,8 +83,8 @@ Difference compareHits(std::span<const Hit> a, std::span<const Hit> b, uint32_t 
 
 Difference compareCounters(std::span<const RayCounters> a, std::span<const RayCounters> b, uint32_t width, const Comparison& how) {
   return compareBytes(a, b, [&](size_t i) {
-    return pixelText(i, width) + ": " + how.a + " " + std::to_string(a[i].visits) + " visits and " + std::to_string(a[i].tests) + " tests, " +
-           how.b + " " + std::to_string(b[i].visits) + " and " + std::to_string(b[i].tests);
+    return pixelText(i, width) + ": " + how.a + " " + std::to_string(a[i].visits) + " visits and " + std::to_string(a[i].tests) +
+           " tests, " + how.b + " " + std::to_string(b[i].visits) + " and " + std::to_string(b[i].tests);
   });
 }
 
@@ -93,7 +94,8 @@ Difference compareExactHits(std::span<const ExactHit> a, std::span<const ExactHi
     std::snprintf(distance, sizeof distance, " at t %.9g", double(hit.t));
     return hit.reference == kBlank ? std::string("nothing") : referenceText(named, hit.reference) + distance;
   };
-  return compareBytes(a, b, [&](size_t i) { return pixelText(i, width) + ": " + how.a + " " + text(a[i], how) + ", " + how.b + " " + text(b[i], how); });
+  return compareBytes(
+      a, b, [&](size_t i) { return pixelText(i, width) + ": " + how.a + " " + text(a[i], how) + ", " + how.b + " " + text(b[i], how); });
 }
 
 Difference compareGridsAsSets(const Grid& a, const Grid& b, const Comparison& how) {

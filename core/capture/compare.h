@@ -15,17 +15,17 @@ namespace gridscope {
 
 // What the two sides are called, and what references are called: `names` may be null, then numbers alone stand there.
 struct Comparison {
-  std::string a;                   // "captured"
-  std::string b;                   // "replayed"
+  std::string a;  // "captured"
+  std::string b;  // "replayed"
   const NumberedScene& scene;
   const CaptureNames* names = nullptr;
 };
 
 struct Difference {
-  uint64_t different = 0;          // elements
+  uint64_t different = 0;  // elements
   uint64_t total = 0;
-  size_t firstIndex = 0;           // of the first different element
-  std::string first;               // it, in words; empty: all equal
+  size_t firstIndex = 0;  // of the first different element
+  std::string first;      // it, in words; empty: all equal
   bool equal() const { return different == 0; }
   // "3 of 100 differ; the first: ..."; empty: all equal.
   std::string text() const;
@@ -45,10 +45,10 @@ Difference compareExactHits(std::span<const ExactHit> a, std::span<const ExactHi
 Difference compareGridsAsSets(const Grid& a, const Grid& b, const Comparison& how);
 
 // In words.
-std::string hexText(uint32_t value);                                 // "0x0001002A"
-std::string cellText(ivec3 cell);                                    // "cell (1, 2, 3)"
-std::string texelText(const GridParameters& grid, size_t texel);     // "cell (1, 2, 3), slot 4"
-std::string pixelText(size_t index, uint32_t width);                 // "pixel (3, 4)"
+std::string hexText(uint32_t value);                                   // "0x0001002A"
+std::string cellText(ivec3 cell);                                      // "cell (1, 2, 3)"
+std::string texelText(const GridParameters& grid, size_t texel);       // "cell (1, 2, 3), slot 4"
+std::string pixelText(size_t index, uint32_t width);                   // "pixel (3, 4)"
 std::string referenceText(const Comparison& how, uint32_t reference);  // "0x0001002A (tuft, triangle 42)", "blank"
 std::string hitText(const Comparison& how, const Hit& hit);
 

@@ -6,8 +6,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "core/capture/manifest.h"
 #include "core/base/error.h"
+#include "core/capture/manifest.h"
 
 namespace gridscope {
 namespace {
@@ -20,10 +20,13 @@ void diffJson(const std::string& place, const nlohmann::json& a, const nlohmann:
   if (a.is_object() && b.is_object() && !bits) {
     nlohmann::json keys = a;
     keys.update(b);
-    for (const auto& [key, value] : keys.items()) diffJson(under(key), a.value(key, nlohmann::json()), b.value(key, nlohmann::json()), differences);
+    for (const auto& [key, value] : keys.items())
+      diffJson(under(key), a.value(key, nlohmann::json()), b.value(key, nlohmann::json()), differences);
     return;
   }
-  const auto text = [](const nlohmann::json& value) { return value.is_object() && value.contains("value") ? value["value"].dump() : value.dump(); };
+  const auto text = [](const nlohmann::json& value) {
+    return value.is_object() && value.contains("value") ? value["value"].dump() : value.dump();
+  };
   differences.push_back({place, text(a), text(b)});
 }
 
@@ -31,7 +34,8 @@ void diffJson(const std::string& place, const nlohmann::json& a, const nlohmann:
 nlohmann::json settingsOf(const Capture& capture) {
   nlohmann::json manifest = makeManifest(capture), settings;
   for (const char* key : {"settings", "grid", "trace"}) settings[key] = manifest[key];
-  settings["scene"] = {{"name", capture.names.scene}, {"instances", capture.scene.instanceCount()}, {"triangles", capture.scene.triangleCount}};
+  settings["scene"] = {
+      {"name", capture.names.scene}, {"instances", capture.scene.instanceCount()}, {"triangles", capture.scene.triangleCount}};
   settings["frames"] = capture.frames.size();
   return settings;
 }
@@ -46,7 +50,8 @@ void diffCell(const CellSlots& a, const CellSlots& b, ivec3 cell, const Comparis
     ++(b.references.empty() ? result.onlyA : a.references.empty() ? result.onlyB : result.otherReferences);
     const auto [inA, inB] = std::ranges::mismatch(a.references, b.references);
     const auto text1 = [](const Comparison& how, auto at, auto end) { return at == end ? std::string("blank") : referenceText(how, *at); };
-    text = "slot " + std::to_string(inA - a.references.begin()) + ": A " + text1(howA, inA, a.references.end()) + ", B " + text1(howB, inB, b.references.end());
+    text = "slot " + std::to_string(inA - a.references.begin()) + ": A " + text1(howA, inA, a.references.end()) + ", B " +
+           text1(howB, inB, b.references.end());
   }
   if (result.first.empty()) result.first = cellText(cell) + ", " + text;
 }
@@ -91,9 +96,11 @@ std::string obstacle(const char* name, size_t sizeA, size_t sizeB, bool sameShap
 
 bool CaptureDifferences::equal() const {
   const bool products = std::ranges::all_of(frames, [](const FrameDifferences& frame) {
-    return frame.cells.different() == 0 && frame.hits.different() == 0 && frame.rays.equal() && frame.counters.equal() && frame.exact.equal();
+    return frame.cells.different() == 0 && frame.hits.different() == 0 && frame.rays.equal() && frame.counters.equal() &&
+           frame.exact.equal();
   });
-  return settings.empty() && products && std::ranges::all_of(notCompared, [](const std::string& line) { return line.ends_with("in neither"); });
+  return settings.empty() && products &&
+         std::ranges::all_of(notCompared, [](const std::string& line) { return line.ends_with("in neither"); });
 }
 
 CaptureDifferences diffCaptures(const Capture& a, const Capture& b) {
@@ -111,12 +118,15 @@ CaptureDifferences diffCaptures(const Capture& a, const Capture& b) {
       if (i == 0 && !line.empty()) result.notCompared.push_back(line);
       return line.empty();
     };
-    if (compared("grid", frameA.grid.size(), frameB.grid.size(), sameCells)) frame.cells = diffCells(frameGrid(a, i), frameGrid(b, i), howA, howB);
+    if (compared("grid", frameA.grid.size(), frameB.grid.size(), sameCells))
+      frame.cells = diffCells(frameGrid(a, i), frameGrid(b, i), howA, howB);
     if (compared("rays", frameA.rays.size(), frameB.rays.size(), sameSize)) frame.rays = diffRays(frameA.rays, frameB.rays, width);
-    if (compared("hits", frameA.hits.size(), frameB.hits.size(), sameSize)) frame.hits = diffHits(frameA.hits, frameB.hits, width, howA, howB);
+    if (compared("hits", frameA.hits.size(), frameB.hits.size(), sameSize))
+      frame.hits = diffHits(frameA.hits, frameB.hits, width, howA, howB);
     if (compared("counters", frameA.counters.size(), frameB.counters.size(), sameSize))
       frame.counters = compareCounters(frameA.counters, frameB.counters, width, howA);
-    if (compared("exact", frameA.exact.size(), frameB.exact.size(), sameSize)) frame.exact = compareExactHits(frameA.exact, frameB.exact, width, howA);
+    if (compared("exact", frameA.exact.size(), frameB.exact.size(), sameSize))
+      frame.exact = compareExactHits(frameA.exact, frameB.exact, width, howA);
     result.frames.push_back(std::move(frame));
   }
   return result;

@@ -53,7 +53,8 @@ class FieldWriter {
 
   void operator()(const char* name, const float& value) { json[name] = {{"value", shortNumber(value)}, {"bits", bitsText(value)}}; }
   void operator()(const char* name, const vec3& v) {
-    json[name] = {{"value", {shortNumber(v.x), shortNumber(v.y), shortNumber(v.z)}}, {"bits", {bitsText(v.x), bitsText(v.y), bitsText(v.z)}}};
+    json[name] = {{"value", {shortNumber(v.x), shortNumber(v.y), shortNumber(v.z)}},
+                  {"bits", {bitsText(v.x), bitsText(v.y), bitsText(v.z)}}};
   }
   void operator()(const char* name, const ivec3& v) { json[name] = {v.x, v.y, v.z}; }
   void operator()(const char* name, const int& value) { json[name] = value; }
@@ -189,7 +190,8 @@ class FieldReader {
     const float plain = static_cast<float>(wide);
     if (bits == nullptr) return plain;
     float exact = 0.0f;
-    if (!bits->is_string() || !parseBits(bits->get<std::string>(), exact)) throw Error(placeOf(name) + ": its bits are not like \"0x3f800000\"");
+    if (!bits->is_string() || !parseBits(bits->get<std::string>(), exact))
+      throw Error(placeOf(name) + ": its bits are not like \"0x3f800000\"");
     if (hasNumber && std::bit_cast<uint32_t>(plain) != std::bit_cast<uint32_t>(exact))
       throw Error(placeOf(name) + ": its value and its bits disagree; leave the bits out to set the value");
     return exact;

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <set>
 
-#include "core/grid/derive.h"
 #include "core/base/gltf_files.h"
+#include "core/grid/derive.h"
 #include "shaders/shared/grid/grid.h"
 
 namespace gridscope {
@@ -13,12 +13,12 @@ namespace gridscope {
 namespace {
 
 constexpr const char* kFormat = "gridscope capture";
-constexpr int kMostDepth = 64;              // of nested JSON; ours has 5
+constexpr int kMostDepth = 64;  // of nested JSON; ours has 5
 constexpr size_t kMostFrames = 65536;
 constexpr size_t kMostFrameSide = 65535;
 
 // Where a foreign capture says nothing: as the pipeline has it for a scene of the grid's size.
-constexpr float kOriginOffset = 1e-5f;      // of the diagonal
+constexpr float kOriginOffset = 1e-5f;  // of the diagonal
 const vec3 kSunDirection = glm::normalize(vec3(0.35f, 0.85f, 0.25f));
 
 // Formulas of derive.cpp for what a foreign grid may leave out.
@@ -84,8 +84,10 @@ void readFrame(const FieldReader& field, const Capture& capture, float diagonal,
   frame.view.sunDirection = kSunDirection;
   field("timeSeconds", frame.timeSeconds);
   const FieldReader camera = field.object("camera"), bounce = field.object("bounce"), view = field.object("view");
-  if (!field.has("camera")) frame.camera = deriveCamera(capture.settings.camera, capture.settings.width, capture.settings.height, diagonal);
-  else camera.require({"eye", "nearPlane", "right", "tanHalfWidth", "up", "tanHalfHeight", "forward"});
+  if (!field.has("camera"))
+    frame.camera = deriveCamera(capture.settings.camera, capture.settings.width, capture.settings.height, diagonal);
+  else
+    camera.require({"eye", "nearPlane", "right", "tanHalfWidth", "up", "tanHalfHeight", "forward"});
   frame.camera.width = capture.settings.width;
   frame.camera.height = capture.settings.height;
   describe(camera, frame.camera);
@@ -101,8 +103,9 @@ Json written(Structure structure) {
 }
 
 Json settingsJson(const FrameSettings& settings) {
-  Json json = {{"grid", written(settings.grid)}, {"trace", written(settings.trace)}, {"bounce", written(settings.bounce)},
-               {"camera", written(settings.camera)}, {"width", settings.width}, {"height", settings.height}, {"textureSize", settings.textureSize}};
+  Json json = {{"grid", written(settings.grid)},     {"trace", written(settings.trace)}, {"bounce", written(settings.bounce)},
+               {"camera", written(settings.camera)}, {"width", settings.width},          {"height", settings.height},
+               {"textureSize", settings.textureSize}};
   if (settings.grid.bounds) json["grid"]["bounds"] = written(*settings.grid.bounds);
   return json;
 }
@@ -134,10 +137,12 @@ Json parseManifest(std::string_view text) {
   } catch (const Json::exception&) {
     throw Error("is not JSON");
   }
-  if (!manifest.is_object() || manifest.value("format", Json()) != kFormat) throw Error(std::string("is not of a capture: its format is not '") + kFormat + "'");
+  if (!manifest.is_object() || manifest.value("format", Json()) != kFormat)
+    throw Error(std::string("is not of a capture: its format is not '") + kFormat + "'");
   const uint32_t version = manifestVersion(manifest);
   if (version > kCaptureVersion)
-    throw Error("is of version " + std::to_string(version) + "; this program reads versions up to " + std::to_string(kCaptureVersion) + ": use a newer one");
+    throw Error("is of version " + std::to_string(version) + "; this program reads versions up to " + std::to_string(kCaptureVersion) +
+                ": use a newer one");
   return manifest;
 }
 
@@ -215,16 +220,26 @@ void readManifest(const Json& manifest, PixelSize size, Capture& capture) {
   const Json* frames = field.find("frames");
   for (size_t i = 0; i < capture.frames.size(); ++i) {
     capture.frames[i].bounce.frame = static_cast<uint32_t>(i);
-    readFrame(FieldReader(frames == nullptr ? kNothing : (*frames)[i], "frames[" + std::to_string(i) + "]"), capture, diagonal, capture.frames[i]);
+    readFrame(FieldReader(frames == nullptr ? kNothing : (*frames)[i], "frames[" + std::to_string(i) + "]"), capture, diagonal,
+              capture.frames[i]);
   }
 }
 
 Json makeManifest(const Capture& capture) {
-  Json manifest = {{"format", kFormat}, {"version", kCaptureVersion}, {"writer", capture.writer}, {"device", capture.device},
-                   {"driver", capture.driver}, {"note", capture.note}, {"settings", settingsJson(capture.settings)},
-                   {"grid", gridJson(capture.grid)}, {"trace", written(capture.trace)}};
-  manifest["scene"] = {{"name", capture.names.scene}, {"meshes", capture.names.meshes}, {"instances", capture.names.instances},
-                       {"materials", capture.names.materials}, {"bounds", written(capture.bounds)}};
+  Json manifest = {{"format", kFormat},
+                   {"version", kCaptureVersion},
+                   {"writer", capture.writer},
+                   {"device", capture.device},
+                   {"driver", capture.driver},
+                   {"note", capture.note},
+                   {"settings", settingsJson(capture.settings)},
+                   {"grid", gridJson(capture.grid)},
+                   {"trace", written(capture.trace)}};
+  manifest["scene"] = {{"name", capture.names.scene},
+                       {"meshes", capture.names.meshes},
+                       {"instances", capture.names.instances},
+                       {"materials", capture.names.materials},
+                       {"bounds", written(capture.bounds)}};
   manifest["frames"] = Json::array();
   for (const CaptureFrame& frame : capture.frames) {
     Json json = {{"camera", written(frame.camera)}, {"bounce", written(frame.bounce)}, {"view", written(frame.view)}};
@@ -262,8 +277,10 @@ void addKeys(Json& object, const Json& more) {
   } else if (object.is_object() && more.is_object()) {
     for (const auto& [key, value] : more.items()) {
       const auto match = object.find(key);
-      if (match == object.end()) object[key] = value;
-      else addKeys(*match, value);
+      if (match == object.end())
+        object[key] = value;
+      else
+        addKeys(*match, value);
     }
   }
 }

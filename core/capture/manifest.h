@@ -16,7 +16,7 @@ inline constexpr uint64_t kMostManifestBytes = uint64_t{8} << 20;
 
 // An array as the manifest lists it.
 struct ListedEntry {
-  std::string name;                 // "grid.npy"
+  std::string name;  // "grid.npy"
   NpyType type;
   std::vector<uint64_t> shape;
 };

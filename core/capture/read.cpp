@@ -5,12 +5,12 @@
 #include <map>
 #include <string_view>
 
+#include "core/base/gltf_files.h"
 #include "core/capture/capture.h"
 #include "core/capture/check.h"
 #include "core/capture/columns.h"
 #include "core/capture/manifest.h"
 #include "core/capture/zip.h"
-#include "core/base/gltf_files.h"
 #include "shaders/shared/grid/grid.h"
 
 namespace gridscope {
@@ -19,16 +19,16 @@ namespace {
 
 constexpr const char* kPreviewEntry = "preview.png";
 constexpr std::string_view kPngSignature{"\x89PNG\r\n\x1a\n", 8};
-constexpr uint64_t kMostNpyHeader = 65536 + 12;   // npy.cpp reads no longer one
-constexpr uint64_t kMostUnnamed = 65536;          // meshes, instances and materials that get a name from their number
+constexpr uint64_t kMostNpyHeader = 65536 + 12;  // npy.cpp reads no longer one
+constexpr uint64_t kMostUnnamed = 65536;         // meshes, instances and materials that get a name from their number
 
 // An array that is there and can be read.
 struct FoundColumn {
   const ColumnRow* column;
   const ZipEntry* entry;
   const ListedEntry* listed;
-  bool framed;                    // has a leading frame axis
-  uint64_t count;                 // elements of its part, a frame
+  bool framed;     // has a leading frame axis
+  uint64_t count;  // elements of its part, a frame
 };
 
 size_t leadRank(Lead lead) { return lead == Lead::count ? 1 : lead == Lead::texels ? 3 : 2; }
@@ -52,7 +52,8 @@ class CaptureReader {
     // The arrays, what is left out, and the whole.
     for (FoundColumn& found : found_)
       if (wanted(found.column->part)) atColumn(*found.column, [&] { readColumn(found); });
-    for (Part part : {Part::corners, Part::materials, Part::gather, Part::rays, Part::hits, Part::counters, Part::exact, Part::grid, Part::alpha, Part::numbers})
+    for (Part part : {Part::corners, Part::materials, Part::gather, Part::rays, Part::hits, Part::counters, Part::exact, Part::grid,
+                      Part::alpha, Part::numbers})
       if (dropped(part)) clearPart(part);
     finishScene();
     readOthers();
@@ -66,7 +67,8 @@ class CaptureReader {
     const ZipEntry* entry = zip.find(kManifestEntry);
     if (entry == nullptr) throw Error("holds no manifest.json: not a capture");
     try {
-      if (entry->bytes > kMostManifestBytes) throw Error("has " + std::to_string(entry->bytes) + " bytes; at most " + std::to_string(kMostManifestBytes) + " are read");
+      if (entry->bytes > kMostManifestBytes)
+        throw Error("has " + std::to_string(entry->bytes) + " bytes; at most " + std::to_string(kMostManifestBytes) + " are read");
       const auto bytes = zip.read(*entry);
       return parseManifest({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
     } catch (const Error& error) {
@@ -126,7 +128,8 @@ class CaptureReader {
   void findColumns() {
     frameCount_ = manifestFrameCount(manifest_);
     for (ListedEntry& entry : listedEntries(manifest_)) {
-      if (findColumn(entry.name) == nullptr && zip_.find(entry.name) == nullptr) loseUnknown(plainName(entry.name) + ": is missing; the manifest lists it");
+      if (findColumn(entry.name) == nullptr && zip_.find(entry.name) == nullptr)
+        loseUnknown(plainName(entry.name) + ": is missing; the manifest lists it");
       listed_.emplace(entry.name, std::move(entry));
     }
   }
@@ -161,7 +164,9 @@ class CaptureReader {
     if (entry == nullptr && listed == nullptr) return;
     if (entry == nullptr) throw Error("is missing; the manifest lists it");
     if (listed == nullptr) throw Error("is not listed in the manifest");
-    if (listed->type != column.type) throw Error(std::string("is said to hold ") + npyTypeName(listed->type) + " in the manifest; it must hold " + npyTypeName(column.type));
+    if (listed->type != column.type)
+      throw Error(std::string("is said to hold ") + npyTypeName(listed->type) + " in the manifest; it must hold " +
+                  npyTypeName(column.type));
 
     // Dimensions: an axis of frames, the lead, the tail.
     FoundColumn found{&column, entry, listed, false, 0};
@@ -172,20 +177,24 @@ class CaptureReader {
     found.framed = part.perFrame && shape.size() == rank + 1;
     if (found.framed && shape[0] != frameCount_) throw badShape(column, listed->shape);
     if (found.framed) shape.erase(shape.begin());
-    if (shape.size() != rank || !std::equal(column.tail.begin(), column.tail.end(), shape.end() - std::ptrdiff_t(column.tail.size()))) throw badShape(column, listed->shape);
+    if (shape.size() != rank || !std::equal(column.tail.begin(), column.tail.end(), shape.end() - std::ptrdiff_t(column.tail.size())))
+      throw badShape(column, listed->shape);
     found.count = countOf(column, shape);
 
     // Bytes: the header is all that may come on top.
     const uint64_t bytes = npyByteCount(column.type, listed->shape);
     if (bytes > entry->bytes || entry->bytes - bytes > kMostNpyHeader)
-      throw Error("has " + std::to_string(entry->bytes) + " bytes, which do not hold the shape " + npyShapeText(listed->shape) + " that the manifest says");
+      throw Error("has " + std::to_string(entry->bytes) + " bytes, which do not hold the shape " + npyShapeText(listed->shape) +
+                  " that the manifest says");
     const auto [known, first] = counts_.emplace(column.part, found.count);
-    if (!first && known->second != found.count) throw Error("has the shape " + npyShapeText(listed->shape) + ", which does not fit the other arrays of the " + part.name);
+    if (!first && known->second != found.count)
+      throw Error("has the shape " + npyShapeText(listed->shape) + ", which does not fit the other arrays of the " + part.name);
     found_.push_back(found);
   }
 
   Error badShape(const ColumnRow& column, const std::vector<uint64_t>& shape) const {
-    static const std::map<Lead, const char*> kLeads = {{Lead::count, "count"}, {Lead::triangleCorners, "triangles, 3"}, {Lead::texels, "z, y, x"}, {Lead::pixels, "height, width"}};
+    static const std::map<Lead, const char*> kLeads = {
+        {Lead::count, "count"}, {Lead::triangleCorners, "triangles, 3"}, {Lead::texels, "z, y, x"}, {Lead::pixels, "height, width"}};
     std::string wanted = "(" + std::string(partRow(column.part).perFrame ? "[frames, ]" : "") + kLeads.at(partRow(column.part).lead);
     for (uint64_t side : column.tail)
       if (column.part != Part::alpha) wanted += ", " + std::to_string(side);
@@ -199,25 +208,31 @@ class CaptureReader {
     if (lead == Lead::count && shape[0] <= UINT32_MAX) return shape[0];
     if (lead == Lead::triangleCorners && shape[0] <= UINT32_MAX && shape[1] == 3) return 3 * shape[0];
     const ivec3 texels = gridTexelCount(capture().grid);
-    if (lead == Lead::texels && shape[0] == uint64_t(texels.z) && shape[1] == uint64_t(texels.y) && shape[2] == uint64_t(texels.x)) return shape[0] * shape[1] * shape[2];
+    if (lead == Lead::texels && shape[0] == uint64_t(texels.z) && shape[1] == uint64_t(texels.y) && shape[2] == uint64_t(texels.x))
+      return shape[0] * shape[1] * shape[2];
     if (lead == Lead::texels)
-      throw Error("has the shape " + npyShapeText(shape) + " a frame; the manifest's grid has (z, y, x) " + npyShapeText(std::array<uint64_t, 3>{uint64_t(texels.z), uint64_t(texels.y), uint64_t(texels.x)}));
+      throw Error("has the shape " + npyShapeText(shape) + " a frame; the manifest's grid has (z, y, x) " +
+                  npyShapeText(std::array<uint64_t, 3>{uint64_t(texels.z), uint64_t(texels.y), uint64_t(texels.x)}));
     const FrameSettings& settings = capture().settings;
     if (lead == Lead::pixels && shape[0] == settings.height && shape[1] == settings.width) return shape[0] * shape[1];
     if (lead == Lead::pixels)
-      throw Error("has the shape " + npyShapeText(shape) + " a frame; the manifest says " + std::to_string(settings.height) + " rows of " + std::to_string(settings.width) + " pixels");
+      throw Error("has the shape " + npyShapeText(shape) + " a frame; the manifest says " + std::to_string(settings.height) + " rows of " +
+                  std::to_string(settings.width) + " pixels");
     throw badShape(column, shape);
   }
 
   // A part needs all its columns; parts that nothing is said of get their defaults' counts.
   void completeParts() {
     for (const ColumnRow& column : captureColumns()) {
-      if (!present(column.part) || column.optional || std::ranges::any_of(found_, [&](const FoundColumn& found) { return found.column == &column; })) continue;
+      if (!present(column.part) || column.optional ||
+          std::ranges::any_of(found_, [&](const FoundColumn& found) { return found.column == &column; }))
+        continue;
       atColumn(column, [&] { throw Error(std::string("is missing; the other arrays of the ") + partRow(column.part).name + " need it"); });
     }
     if (!present(Part::triangles)) throw Error("triangles.npy: is missing; a capture holds geometry");
     const uint64_t triangles = counts_[Part::triangles];
-    if (triangles < 1 || triangles > kMostWorldTriangles) throw Error("triangles.npy: holds " + std::to_string(triangles) + " triangles, not 1 to " + std::to_string(kMostWorldTriangles));
+    if (triangles < 1 || triangles > kMostWorldTriangles)
+      throw Error("triangles.npy: holds " + std::to_string(triangles) + " triangles, not 1 to " + std::to_string(kMostWorldTriangles));
     ownInstances_ = present(Part::instances);
     ownRows_ = present(Part::rows);
     if (!ownInstances_) counts_[Part::instances] = (triangles + kMostTrianglesPerInstance - 1) / kMostTrianglesPerInstance;
@@ -225,8 +240,10 @@ class CaptureReader {
     if (counts_[Part::instances] < 1 || counts_[Part::instances] > kMostInstances)
       throw Error("instances.npy: holds " + std::to_string(counts_[Part::instances]) + " instances, not 1 to 65535");
     if (counts_[Part::rows] != counts_[Part::instances]) throw Error("instances_transform.npy: its count is not that of instances.npy");
-    if (present(Part::corners) && counts_[Part::corners] != 3 * triangles) throw Error("corners_normal.npy: its count is not that of triangles.npy");
-    if (present(Part::numbers) && counts_[Part::numbers] != triangles) throw Error("triangles_number.npy: its count is not that of triangles.npy");
+    if (present(Part::corners) && counts_[Part::corners] != 3 * triangles)
+      throw Error("corners_normal.npy: its count is not that of triangles.npy");
+    if (present(Part::numbers) && counts_[Part::numbers] != triangles)
+      throw Error("triangles_number.npy: its count is not that of triangles.npy");
   }
 
   // Nothing large is allocated before this.
@@ -237,17 +254,22 @@ class CaptureReader {
     for (const ZipEntry& entry : zip_.entries())
       if (isOther(entry)) bytes += entry.bytes;
     if (bytes > options_.memoryLimit)
-      throw Error("takes " + std::to_string(bytes >> 20) + " MiB in memory; at most " + std::to_string(options_.memoryLimit >> 20) + " MiB are read");
+      throw Error("takes " + std::to_string(bytes >> 20) + " MiB in memory; at most " + std::to_string(options_.memoryLimit >> 20) +
+                  " MiB are read");
   }
 
   void readColumn(const FoundColumn& found) {
     const ColumnRow& column = *found.column;
     const std::vector<std::byte> bytes = zip_.read(*found.entry);
     const NpyHeader header = parseNpyHeader(bytes);
-    if (header.type != column.type) throw Error(std::string("holds ") + npyTypeName(header.type) + "; it must hold " + npyTypeName(column.type));
-    if (header.shape != found.listed->shape) throw Error("has the shape " + npyShapeText(header.shape) + " where the manifest says " + npyShapeText(found.listed->shape));
+    if (header.type != column.type)
+      throw Error(std::string("holds ") + npyTypeName(header.type) + "; it must hold " + npyTypeName(column.type));
+    if (header.shape != found.listed->shape)
+      throw Error("has the shape " + npyShapeText(header.shape) + " where the manifest says " + npyShapeText(found.listed->shape));
     const uint64_t wantedBytes = npyByteCount(header.type, header.shape);
-    if (bytes.size() - header.dataOffset != wantedBytes) throw Error("has " + std::to_string(bytes.size() - header.dataOffset) + " bytes of data where its shape needs " + std::to_string(wantedBytes));
+    if (bytes.size() - header.dataOffset != wantedBytes)
+      throw Error("has " + std::to_string(bytes.size() - header.dataOffset) + " bytes of data where its shape needs " +
+                  std::to_string(wantedBytes));
 
     const size_t frames = partRow(column.part).perFrame ? frameCount_ : 1;
     const uint64_t frameBytes = found.framed ? wantedBytes / frames : 0;
@@ -284,7 +306,8 @@ class CaptureReader {
   // Geometric normals, no texture, white.
   void makeCorners() {
     for (const Triangle& triangle : capture().scene.objectTriangles) {
-      const glm::dvec3 normal = glm::cross(glm::dvec3(triangle.b) - glm::dvec3(triangle.a), glm::dvec3(triangle.c) - glm::dvec3(triangle.a));
+      const glm::dvec3 normal =
+          glm::cross(glm::dvec3(triangle.b) - glm::dvec3(triangle.a), glm::dvec3(triangle.c) - glm::dvec3(triangle.a));
       const double length = glm::length(normal);
       const vec3 unit = length > 0.0 && std::isfinite(length) ? vec3(normal / length) : vec3(0, 1, 0);
       for (int k = 0; k < 3; ++k) capture().scene.corners.push_back({unit, vec2(0), 0xFFFFFFFFu});
@@ -302,7 +325,8 @@ class CaptureReader {
     for (size_t i = 0; i < count; ++i) {
       const InstanceColumns& columns = arrays_.instances[i];
       const InstanceRows& rows = capture().frames[0].rows[i];
-      scene.instances.push_back({rows.row0, rows.row1, rows.row2, columns.firstTriangle, columns.triangleCount, static_cast<uint32_t>(total), columns.material});
+      scene.instances.push_back(
+          {rows.row0, rows.row1, rows.row2, columns.firstTriangle, columns.triangleCount, static_cast<uint32_t>(total), columns.material});
       scene.sources.push_back({columns.sceneInstance, columns.mesh, columns.firstTriangle});
       total += columns.triangleCount;
       if (total > kMostWorldTriangles) throw Error("instances.npy: places more than " + std::to_string(kMostWorldTriangles) + " triangles");
@@ -357,7 +381,8 @@ class CaptureReader {
           capture().unknownEntries.push_back({entry.name, std::move(bytes)});
           continue;
         }
-        if (bytes.size() < kPngSignature.size() || std::memcmp(bytes.data(), kPngSignature.data(), kPngSignature.size()) != 0) throw Error("is not a PNG file");
+        if (bytes.size() < kPngSignature.size() || std::memcmp(bytes.data(), kPngSignature.data(), kPngSignature.size()) != 0)
+          throw Error("is not a PNG file");
         capture().preview = std::move(bytes);
       } catch (const Error& error) {
         loseUnknown(plainName(entry.name) + ": " + error.what());

@@ -1,10 +1,10 @@
 // Writes captures, whole or not at all.
+#include "core/base/write_file.h"
 #include "core/capture/capture.h"
 #include "core/capture/check.h"
 #include "core/capture/columns.h"
 #include "core/capture/manifest.h"
 #include "core/capture/zip.h"
-#include "core/base/write_file.h"
 #include "shaders/shared/grid/grid.h"
 
 namespace gridscope {
@@ -52,7 +52,8 @@ class CaptureFormatter {
     ZipWriter zip;
     const std::string text = manifest.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
     const auto* first = reinterpret_cast<const std::byte*>(text.data());
-    if (text.size() > kMostManifestBytes) throw Error("manifest.json: would have " + std::to_string(text.size()) + " bytes, more than is read again; capture fewer frames");
+    if (text.size() > kMostManifestBytes)
+      throw Error("manifest.json: would have " + std::to_string(text.size()) + " bytes, more than is read again; capture fewer frames");
     zip.add(kManifestEntry, {first, first + text.size()});
     for (CaptureEntryBytes& entry : entries) zip.add(entry.name, std::move(entry.bytes));
     if (!capture_.preview.empty()) zip.add("preview.png", capture_.preview);
@@ -84,12 +85,14 @@ class CaptureFormatter {
     const size_t header = file.size(), bytes = npyByteCount(column.type, shape);
     file.resize(header + bytes);
     const size_t frames = changes(column.part) ? capture_.frames.size() : 1;
-    for (size_t frame = 0; frame < frames; ++frame) packColumn(column, partBytes(arrays_, column.part, frame), file.data() + header + frame * (bytes / frames));
+    for (size_t frame = 0; frame < frames; ++frame)
+      packColumn(column, partBytes(arrays_, column.part, frame), file.data() + header + frame * (bytes / frames));
     return file;
   }
 
   static void listUnknown(const CaptureEntryBytes& unknown, Json& entries) {
-    if (findColumn(unknown.name) != nullptr || unknown.name == kManifestEntry || !isEntryName(unknown.name)) throw Error(unknown.name + ": can't be an unknown entry's name");
+    if (findColumn(unknown.name) != nullptr || unknown.name == kManifestEntry || !isEntryName(unknown.name))
+      throw Error(unknown.name + ": can't be an unknown entry's name");
     if (!unknown.name.ends_with(".npy")) return;
     try {
       const NpyHeader header = parseNpyHeader(unknown.bytes);

@@ -18,7 +18,7 @@ struct ZipEntry {
   std::string name;
   uint64_t bytes = 0;
   uint64_t compressedBytes = 0;
-  uint32_t crc = 0;                 // of the bytes
+  uint32_t crc = 0;  // of the bytes
 };
 
 class ZipReader {
@@ -30,7 +30,7 @@ class ZipReader {
   ZipReader(ZipReader&&) noexcept;
 
   uint64_t fileBytes() const;
-  const std::vector<ZipEntry>& entries() const;   // in the directory's order
+  const std::vector<ZipEntry>& entries() const;  // in the directory's order
   const ZipEntry* find(const std::string& name) const;
 
   // The entry's bytes. Throws Error, without the entry's name, when they do not decompress to as many with their CRC-32. Allocates what the

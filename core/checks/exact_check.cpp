@@ -10,11 +10,9 @@
 namespace gridscope {
 namespace {
 
-constexpr float kGrazing = 1e-4f;     // barycentrics
+constexpr float kGrazing = 1e-4f;  // barycentrics
 
-bool atEdge(const Hit& hit) {
-  return hit.kind == kHitTriangle && std::min({hit.u, hit.v, 1.0f - hit.u - hit.v}) < kGrazing;
-}
+bool atEdge(const Hit& hit) { return hit.kind == kHitTriangle && std::min({hit.u, hit.v, 1.0f - hit.u - hit.v}) < kGrazing; }
 
 }  // namespace
 

@@ -13,7 +13,7 @@ struct ExactDifference {
   uint32_t ray;
   Hit traced;
   Hit exact;
-  bool grazes;   // either hit lies within 1e-4 (in barycentrics) of its triangle's edge: rounding decides there
+  bool grazes;  // either hit lies within 1e-4 (in barycentrics) of its triangle's edge: rounding decides there
 };
 
 struct ExactComparison {

@@ -6,9 +6,9 @@
 #include <set>
 
 #include "core/capture/compare.h"
+#include "core/checks/self_test.h"
 #include "core/pipeline/cpu_stages.h"
 #include "core/pipeline/frame_capture.h"
-#include "core/checks/self_test.h"
 
 namespace gridscope {
 namespace {
@@ -84,7 +84,8 @@ class Replay {
       compareTraced(captured, frame);
     }
     if (!captured.exact.empty() && !captured.rays.empty()) compareExact(captured, frame);
-    if (result_.different && result_.different->frame == frame) result_.different->grid = std::move(grid_), result_.different->hits = std::move(hits_);
+    if (result_.different && result_.different->frame == frame)
+      result_.different->grid = std::move(grid_), result_.different->hits = std::move(hits_);
     grid_.clear(), hits_.clear();
   }
 
@@ -119,7 +120,8 @@ class Replay {
     const std::vector<RayCounters> counters = stages_->counters();
     made<RayCounters>(kCounters, counters);
     note(kCounters, compareCounters(captured.counters, counters, width, how()), frame);
-    const Difference between = compareHits(hits_, stages_->hits(), width, {"the fast trace", "the counting trace", capture_.scene, &capture_.names});
+    const Difference between =
+        compareHits(hits_, stages_->hits(), width, {"the fast trace", "the counting trace", capture_.scene, &capture_.names});
     note(kHits, {.different = between.different, .total = 0, .firstIndex = between.firstIndex, .first = between.first}, frame);
   }
 
@@ -158,7 +160,7 @@ class Replay {
   decltype(std::declval<Make>()(size_t(0))) stages_{};
   size_t madeFor_ = 0;
   RunResult run_[kProductCount];
-  std::vector<uint32_t> grid_;     // the present frame's, where it was made
+  std::vector<uint32_t> grid_;  // the present frame's, where it was made
   std::vector<Hit> hits_;
 };
 
@@ -173,7 +175,8 @@ void conclude(ReplayResult& result, uint32_t repeat, bool firstCome) {
   }
   if (compared == 0 && (repeat == 1 || result.products.empty())) {
     result.verdict = Verdict::unusable;
-    result.reason = "holds no product that could be compared; --repeat 2 says whether the results are stable, capture FILE -o NEW adds them";
+    result.reason =
+        "holds no product that could be compared; --repeat 2 says whether the results are stable, capture FILE -o NEW adds them";
   } else {
     result.verdict = different > 0 || unstable ? Verdict::different : Verdict::equal;
   }
@@ -195,7 +198,8 @@ std::string whyUnsupported(GpuContext& gpu) {
   if (!gpu.report().float64) return gpu.report().name + " has no 64-bit floats: its bits are not those of other devices";
   const SelfTestResult test = runSelfTest(gpu);
   for (const SelfTestResult::Item& item : test.items)
-    if (item.different > 0) return gpu.report().name + " fails the self-test: " + item.name + " differs from C++ in " + std::to_string(item.different) + " words";
+    if (item.different > 0)
+      return gpu.report().name + " fails the self-test: " + item.name + " differs from C++ in " + std::to_string(item.different) + " words";
   return "";
 }
 
@@ -205,7 +209,8 @@ std::string whyNotFrom(const Capture& capture, ReplayFrom from) {
   if (from == ReplayFrom::trace && first.grid.empty()) return "holds no grid to trace in";
   if (from == ReplayFrom::trace && first.rays.empty()) return "holds no rays to trace";
   if (from != ReplayFrom::trace && capture.grid.reserved != 2)
-    return "its grid has " + std::to_string(capture.grid.reserved) + " reserved texels a cell, which this program does not build; use --from trace";
+    return "its grid has " + std::to_string(capture.grid.reserved) +
+           " reserved texels a cell, which this program does not build; use --from trace";
   if (from == ReplayFrom::update && capture.frames.size() == 1) return "holds one frame: an update needs a sequence";
   if (from == ReplayFrom::update && first.grid.empty()) return "holds no grids to update";
   return "";

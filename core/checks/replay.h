@@ -28,11 +28,11 @@ const char* verdictName(Verdict verdict);
 
 // One product over all frames and repetitions.
 struct ReplayedProduct {
-  std::string name;               // "grid", "hits", "counters", "exact"
-  uint64_t different = 0;         // elements: texels (first-come: cells), pixels; of the repetition where most differ
-  uint64_t total = 0;             // compared
-  std::string first;              // the first difference in words; empty: all equal
-  uint32_t distinct = 1;          // results among the repetitions
+  std::string name;        // "grid", "hits", "counters", "exact"
+  uint64_t different = 0;  // elements: texels (first-come: cells), pixels; of the repetition where most differ
+  uint64_t total = 0;      // compared
+  std::string first;       // the first difference in words; empty: all equal
+  uint32_t distinct = 1;   // results among the repetitions
 };
 
 // Products of the first frame in which something differs, as the replay made them; empty where it does not make them.
@@ -44,15 +44,15 @@ struct DifferentFrame {
 
 struct ReplayResult {
   Verdict verdict = Verdict::equal;
-  std::string reason;             // why unusable or unsupported
-  std::string device;             // that ran the stages
+  std::string reason;  // why unusable or unsupported
+  std::string device;  // that ran the stages
   std::vector<ReplayedProduct> products;
   std::optional<DifferentFrame> different;
 };
 
 struct ReplayOptions {
   ReplayFrom from = ReplayFrom::automatic;
-  uint32_t repeat = 1;            // runs; with more, results that are not the same in each are different too
+  uint32_t repeat = 1;  // runs; with more, results that are not the same in each are different too
 };
 
 // gpu: the device, which must pass the self-test (whyUnsupported() is empty); nullptr: in C++, without Vulkan. Throws Error.

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/scene/built_in_scenes.h"
 #include "core/checks/cpu_check.h"
 #include "core/gpu/program.h"
+#include "core/scene/built_in_scenes.h"
 #include "shaders/shared/checks/self_test.h"
 
 namespace gridscope {
@@ -15,10 +15,22 @@ namespace {
 constexpr uint32_t kCases = 65536;  // a whole number of workgroups
 
 // Names of SelfTestWords::words.
-constexpr const char* kWordNames[kSelfTestWords] = {
-    "add", "subtract", "multiply", "multiply and add, apart", "divide in double", "floor to int", "min and max", "dot product",
-    "cross product x", "cross product y", "int to float", "triangle test verdict", "triangle test t", "barycentric b", "barycentric c",
-    "alpha texel"};
+constexpr const char* kWordNames[kSelfTestWords] = {"add",
+                                                    "subtract",
+                                                    "multiply",
+                                                    "multiply and add, apart",
+                                                    "divide in double",
+                                                    "floor to int",
+                                                    "min and max",
+                                                    "dot product",
+                                                    "cross product x",
+                                                    "cross product y",
+                                                    "int to float",
+                                                    "triangle test verdict",
+                                                    "triangle test t",
+                                                    "barycentric b",
+                                                    "barycentric c",
+                                                    "alpha texel"};
 
 uint32_t nextRandom(uint32_t& state) {
   state ^= state << 13;

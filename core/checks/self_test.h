@@ -10,9 +10,9 @@ namespace gridscope {
 
 struct SelfTestResult {
   struct Item {
-    std::string name;         // of the operation or stage
+    std::string name;  // of the operation or stage
     uint64_t cases = 0;
-    uint64_t different = 0;   // words that differ from C++
+    uint64_t different = 0;  // words that differ from C++
   };
   std::vector<Item> items;
   bool passed() const;

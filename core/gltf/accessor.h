@@ -22,7 +22,7 @@ class AccessorView {
   bool isFloat() const;
   bool isUnsignedInteger() const;
 
-  vec4 at(size_t index) const;         // missing components are 0
+  vec4 at(size_t index) const;           // missing components are 0
   uint32_t indexAt(size_t index) const;  // of an accessor of unsigned integers
 
  private:

@@ -7,8 +7,8 @@
 #include <tiny_gltf.h>
 
 #include "core/base/error.h"
-#include "core/gltf/accessor.h"
 #include "core/base/gltf_files.h"
+#include "core/gltf/accessor.h"
 
 namespace gridscope {
 
@@ -68,8 +68,7 @@ void readValues(Channel& channel, const AccessorView& view) {
 
 // Empty when the channel moves nothing that the scene has.
 std::optional<Channel> loadChannel(const tinygltf::Model& model, const tinygltf::Animation& animation,
-                                   const tinygltf::AnimationChannel& source, std::span<const int32_t> sceneNodes,
-                                   GltfWarnings& warnings) {
+                                   const tinygltf::AnimationChannel& source, std::span<const int32_t> sceneNodes, GltfWarnings& warnings) {
   if (static_cast<size_t>(source.sampler) >= animation.samplers.size()) throw Error("its sampler is out of range; export the file again");
   const auto path = channelPath(source.target_path);
   if (!path) warnings.add("animated properties other than translation, rotation and scale are left out", plainName(source.target_path));

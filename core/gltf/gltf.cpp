@@ -32,8 +32,7 @@ std::string meshName(const tinygltf::Mesh& mesh, size_t index) {
 
 // The material that primitives without one get: the specification's, white and rough, but no metal (nothing would be seen of it).
 uint32_t defaultMaterial(Scene& scene, const tinygltf::Model& model) {
-  if (scene.materials.size() == model.materials.size())
-    scene.materials.push_back({.name = "default", .metallic = 0.0f, .roughness = 1.0f});
+  if (scene.materials.size() == model.materials.size()) scene.materials.push_back({.name = "default", .metallic = 0.0f, .roughness = 1.0f});
   return static_cast<uint32_t>(model.materials.size());
 }
 

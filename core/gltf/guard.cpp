@@ -39,9 +39,7 @@ uint32_t wordAt(std::span<const std::byte> bytes, size_t offset) {
   return word;
 }
 
-std::string_view asText(std::span<const std::byte> bytes) {
-  return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
-}
+std::string_view asText(std::span<const std::byte> bytes) { return {reinterpret_cast<const char*>(bytes.data()), bytes.size()}; }
 
 // One chunk of a binary glTF at the offset; throws when it is cut short.
 std::span<const std::byte> chunkAt(std::span<const std::byte> file, size_t offset, const char* what) {
@@ -58,8 +56,7 @@ Container splitBinaryGltf(std::span<const std::byte> file) {
   if (const uint32_t version = wordAt(file, 4); version != 2)
     throw Error("this is binary glTF of version " + std::to_string(version) + "; export it as glTF 2.0");
   const uint64_t length = wordAt(file, 8);
-  if (length > file.size())
-    throw Error("the file ends " + std::to_string(length - file.size()) + " bytes early; copy the file again");
+  if (length > file.size()) throw Error("the file ends " + std::to_string(length - file.size()) + " bytes early; copy the file again");
   if (length < 20 || wordAt(file, 16) != kJsonChunk) throw Error("the file does not begin with a JSON chunk; export it again");
   file = file.first(length);
 
@@ -169,8 +166,7 @@ void noteUnsupported(const json& raw, const json& known, GltfWarnings& warnings)
   const json &meshes = member(raw, "meshes"), &accessors = member(known, "accessors");
   for (size_t i = 0; i < meshes.size(); ++i) {
     const std::string name = "'" + plainName(known["meshes"][i].value("name", "mesh " + std::to_string(i))) + "'";
-    for (const json& primitive : meshes[i]["primitives"])
-      notePrimitive(primitive, accessors, name, warnings);
+    for (const json& primitive : meshes[i]["primitives"]) notePrimitive(primitive, accessors, name, warnings);
   }
   const json& nodes = member(raw, "nodes");
   for (size_t i = 0; i < nodes.size(); ++i) {

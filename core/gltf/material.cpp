@@ -31,9 +31,7 @@ struct PendingImage {
 };
 
 // Source image of a texture, -1 for none, or one in a format of an extension.
-int imageOf(const tinygltf::Model& model, int texture) {
-  return texture < 0 ? -1 : model.textures[static_cast<size_t>(texture)].source;
-}
+int imageOf(const tinygltf::Model& model, int texture) { return texture < 0 ? -1 : model.textures[static_cast<size_t>(texture)].source; }
 
 WrapMode wrapMode(int gltfMode) {
   if (gltfMode == TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE) return WrapMode::clamp;
@@ -222,8 +220,7 @@ void loadMaterials(const tinygltf::Model& model, const CheckedGltf& checked, con
                    GltfWarnings& warnings) {
   ImageSet images(model, checked, folder);
   MaterialLoader loader(model, images, scene, warnings);
-  for (const tinygltf::Material& material : model.materials)
-    scene.materials.push_back(loader.load(material, scene.materials.size()));
+  for (const tinygltf::Material& material : model.materials) scene.materials.push_back(loader.load(material, scene.materials.size()));
 }
 
 }  // namespace gridscope

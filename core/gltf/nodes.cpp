@@ -6,12 +6,12 @@
 #include <optional>
 #include <span>
 
-#include <glm/gtc/matrix_transform.hpp>
 #include <tiny_gltf.h>
+#include <glm/gtc/matrix_transform.hpp>
 
 #include "core/base/error.h"
-#include "core/gltf/accessor.h"
 #include "core/base/gltf_files.h"
+#include "core/gltf/accessor.h"
 
 namespace gridscope {
 

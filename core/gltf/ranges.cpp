@@ -133,9 +133,12 @@ std::vector<int64_t> parentsOf(const json& nodes) {
 
 uint32_t gltfComponentBytes(uint64_t componentType) {
   switch (componentType) {
-    case 5120: case 5121: return 1;
-    case 5122: case 5123: return 2;
-    case 5125: case 5126: return 4;
+    case 5120:
+    case 5121: return 1;
+    case 5122:
+    case 5123: return 2;
+    case 5125:
+    case 5126: return 4;
     default: return 0;
   }
 }

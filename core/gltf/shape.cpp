@@ -23,9 +23,9 @@ enum class Kind {
   number,    // finite as a float
   numbers,   // an array of `size` of them
   flag,
-  text,      // fit for a message (plainName), but for URIs
-  object,    // of shape `fields`
-  objects,   // an array of them
+  text,     // fit for a message (plainName), but for URIs
+  object,   // of shape `fields`
+  objects,  // an array of them
 };
 
 enum Need { optional, required };
@@ -118,12 +118,9 @@ const Shape kMetallicRoughness = {
 const Shape kNoFields = {};
 const Shape kMaterialExtensions = {{"KHR_materials_unlit", Kind::object, optional, nullptr, 0, &kNoFields}};
 const Shape kMaterial = {
-    {"name", Kind::text},
-    {"pbrMetallicRoughness", Kind::object, optional, nullptr, 0, &kMetallicRoughness},
-    {"alphaMode", Kind::text},
-    {"alphaCutoff", Kind::number},
-    {"doubleSided", Kind::flag},
-    {"extensions", Kind::object, optional, nullptr, 0, &kMaterialExtensions},
+    {"name", Kind::text},        {"pbrMetallicRoughness", Kind::object, optional, nullptr, 0, &kMetallicRoughness},
+    {"alphaMode", Kind::text},   {"alphaCutoff", Kind::number},
+    {"doubleSided", Kind::flag}, {"extensions", Kind::object, optional, nullptr, 0, &kMaterialExtensions},
 };
 const Shape kTexture = {{"sampler", Kind::index, optional, "samplers"}, {"source", Kind::index, optional, "images"}};
 const Shape kImage = {{"name", Kind::text}, {"uri", Kind::text}, {"bufferView", Kind::index, optional, "bufferViews"}};

@@ -39,7 +39,7 @@ class GpuCommands {
   GpuContext& gpu_;
   VkCommandBuffer commands_ = VK_NULL_HANDLE;
   VkQueryPool queries_ = VK_NULL_HANDLE;
-  std::vector<std::string> passes_;   // names, in order; pass k owns queries 2k and 2k + 1
+  std::vector<std::string> passes_;  // names, in order; pass k owns queries 2k and 2k + 1
 };
 
 // Copies `bytes` into a device buffer, in parts of at most 64 MiB.

@@ -239,7 +239,7 @@ std::vector<DeviceReport> listDevices() {
   try {
     instance = makeInstance();
   } catch (const Error&) {
-    return {};   // a loader without a driver
+    return {};  // a loader without a driver
   }
   std::vector<DeviceReport> reports;
   for (VkPhysicalDevice device : physicalDevices(instance)) reports.push_back(reportDevice(device));
@@ -266,13 +266,15 @@ void GpuContext::createInstance(bool validation) {
   VkValidationFeaturesEXT features{VK_STRUCTURE_TYPE_VALIDATION_FEATURES_EXT};
   features.enabledValidationFeatureCount = 1;
   features.pEnabledValidationFeatures = enables;
-  if (validation && !hasLayer(layer)) throw Error("--validation: the validation layer is not installed (Debian: vulkan-validationlayers)", kExitDevice);
+  if (validation && !hasLayer(layer))
+    throw Error("--validation: the validation layer is not installed (Debian: vulkan-validationlayers)", kExitDevice);
   instance_ = validation ? makeInstance(std::span(&layer, 1), &features) : makeInstance();
 
   if (validation) {
     VkDebugUtilsMessengerCreateInfoEXT messenger{VK_STRUCTURE_TYPE_DEBUG_UTILS_MESSENGER_CREATE_INFO_EXT};
     messenger.messageSeverity = VK_DEBUG_UTILS_MESSAGE_SEVERITY_WARNING_BIT_EXT | VK_DEBUG_UTILS_MESSAGE_SEVERITY_ERROR_BIT_EXT;
-    messenger.messageType = VK_DEBUG_UTILS_MESSAGE_TYPE_VALIDATION_BIT_EXT;  // performance hints are not errors: the grid stays in one layout
+    messenger.messageType =
+        VK_DEBUG_UTILS_MESSAGE_TYPE_VALIDATION_BIT_EXT;  // performance hints are not errors: the grid stays in one layout
     messenger.pfnUserCallback = onMessage;
     messenger.pUserData = &validationMessages_;
     VK_CHECK(vkCreateDebugUtilsMessengerEXT(instance_, &messenger, nullptr, &messenger_));

@@ -8,37 +8,37 @@
 
 #include <volk.h>
 
-#include "core/grid/derive.h"
 #include "core/base/error.h"
+#include "core/grid/derive.h"
 
 namespace gridscope {
 
 // What a device can do for us.
 struct DeviceReport {
   std::string name;
-  std::string driver;                   // name and version
-  uint32_t apiVersion = 0;              // VK_MAKE_API_VERSION
-  bool softwareDevice = false;          // runs on the CPU's cores (lavapipe)
-  bool geometryStage = false;           // geometry shaders with stores: the raster builder
-  bool imageAtomics = false;            // 3D r32ui storage image with atomics: required
-  bool float64 = false;                 // required for the same bits as everywhere
-  bool scalarLayout = false;            // required
-  bool descriptorIndexing = false;      // variable-count descriptor sets
-  bool roundingControl = false;         // round to nearest even and signed zeros can be asked for
+  std::string driver;               // name and version
+  uint32_t apiVersion = 0;          // VK_MAKE_API_VERSION
+  bool softwareDevice = false;      // runs on the CPU's cores (lavapipe)
+  bool geometryStage = false;       // geometry shaders with stores: the raster builder
+  bool imageAtomics = false;        // 3D r32ui storage image with atomics: required
+  bool float64 = false;             // required for the same bits as everywhere
+  bool scalarLayout = false;        // required
+  bool descriptorIndexing = false;  // variable-count descriptor sets
+  bool roundingControl = false;     // round to nearest even and signed zeros can be asked for
   bool timestamps = false;
-  uint32_t maxImageSide = 0;            // texels of a 3D image
-  uint64_t maxImageBytes = 0;           // of one r32ui 3D image
+  uint32_t maxImageSide = 0;   // texels of a 3D image
+  uint64_t maxImageBytes = 0;  // of one r32ui 3D image
   uint64_t maxAllocationBytes = 0;
   uint64_t maxStorageBufferBytes = 0;
-  uint64_t deviceMemoryBytes = 0;       // largest device-local heap
+  uint64_t deviceMemoryBytes = 0;  // largest device-local heap
   uint32_t maxImageArrayLayers = 0;
   uint32_t maxImage2DSide = 0;
-  std::string refusal;                  // why it can't be used; empty: it can
+  std::string refusal;  // why it can't be used; empty: it can
 };
 
 struct GpuOptions {
-  std::string device;                   // name (part of it, any case) or index; empty: the first that can be used, GPUs before software
-  bool validation = false;              // core and synchronization validation; messages are counted and printed
+  std::string device;       // name (part of it, any case) or index; empty: the first that can be used, GPUs before software
+  bool validation = false;  // core and synchronization validation; messages are counted and printed
 };
 
 // All Vulkan devices of this machine, in the loader's order. Empty when there is no Vulkan loader or no driver.

@@ -24,13 +24,15 @@ void GpuStages::makeTargets(uint32_t width, uint32_t height) {
   makeBuffer(kBindTraceStates, "trace states", pixels * sizeof(TraceState));
   makeBuffer(kBindViewElements, "view elements", pixels * sizeof(ViewElement));
 
-  visibility_ = GpuImage(gpu_, "visibility", {.format = kVisibilityFormat,
-                                              .extent = {width, height, 1},
-                                              .usage = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_STORAGE_BIT});
-  depth_ = GpuImage(gpu_, "depth", {.format = kDepthFormat,
-                                    .extent = {width, height, 1},
-                                    .usage = VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT,
-                                    .aspect = VK_IMAGE_ASPECT_DEPTH_BIT});
+  visibility_ = GpuImage(gpu_, "visibility",
+                         {.format = kVisibilityFormat,
+                          .extent = {width, height, 1},
+                          .usage = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_STORAGE_BIT});
+  depth_ = GpuImage(gpu_, "depth",
+                    {.format = kDepthFormat,
+                     .extent = {width, height, 1},
+                     .usage = VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT,
+                     .aspect = VK_IMAGE_ASPECT_DEPTH_BIT});
   programs_.bind(kBindVisibility, visibility_);
   GpuCommands commands(gpu_);
   commands.layout(visibility_, VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_GENERAL);

@@ -175,7 +175,8 @@ void GpuPrograms::writeDescriptor(int binding, const VkDescriptorBufferInfo* buf
 
 std::string GpuPrograms::key(const std::string& stem) const {
   std::string text = stem;
-  for (uint32_t value : std::bit_cast<std::array<uint32_t, std::size(kSpecializationEntries)>>(specialized_)) text += " " + std::to_string(value);
+  for (uint32_t value : std::bit_cast<std::array<uint32_t, std::size(kSpecializationEntries)>>(specialized_))
+    text += " " + std::to_string(value);
   return text;
 }
 

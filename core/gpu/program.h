@@ -47,18 +47,18 @@ class GpuPrograms {
     VkPipeline pipeline = VK_NULL_HANDLE;
     uint32_t localSize[3] = {1, 1, 1};
     uint32_t pushConstantBytes = 0;
-    bool warm = false;   // dispatched before
+    bool warm = false;  // dispatched before
   };
 
   struct GraphicsState;
   struct GraphicsStage {
     VkShaderStageFlagBits stage;
-    const char* ending;   // of the shader's stem, behind the pass' own
+    const char* ending;  // of the shader's stem, behind the pass' own
   };
 
   void writeDescriptor(int binding, const VkDescriptorBufferInfo* buffer, const VkDescriptorImageInfo* image);
   void bindPlaceholders();
-  std::string key(const std::string& stem) const;   // of a pass with the present constants
+  std::string key(const std::string& stem) const;  // of a pass with the present constants
   VkShaderModule makeModule(const std::string& stem);
   Program& program(const std::string& stem);
   void begin(GpuCommands& commands, const Program& program, const std::string& stem, std::span<const std::byte> arguments);
@@ -73,11 +73,11 @@ class GpuPrograms {
   VkDescriptorPool pool_ = VK_NULL_HANDLE;
   VkDescriptorSet set_ = VK_NULL_HANDLE;
   GpuBuffer placeholder_;
-  GpuImage placeholderImages_[3];   // of the three image bindings
+  GpuImage placeholderImages_[3];  // of the three image bindings
   VkSampler placeholderSampler_ = VK_NULL_HANDLE;
   SpecializedSettings specialized_{};
-  std::map<std::string, Program> programs_;       // by key()
-  std::map<std::string, VkPipeline> graphics_;    // likewise
+  std::map<std::string, Program> programs_;     // by key()
+  std::map<std::string, VkPipeline> graphics_;  // likewise
 };
 
 // The bytes of a structure, for push constants.

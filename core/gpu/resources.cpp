@@ -6,15 +6,16 @@
 namespace gridscope {
 namespace {
 
-VkDeviceMemory allocate(const GpuContext& gpu, const std::string& name, const VkMemoryRequirements& needs, VkMemoryPropertyFlags properties) {
+VkDeviceMemory allocate(const GpuContext& gpu, const std::string& name, const VkMemoryRequirements& needs,
+                        VkMemoryPropertyFlags properties) {
   VkMemoryAllocateInfo info{VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO};
   info.allocationSize = needs.size;
   info.memoryTypeIndex = gpu.memoryType(needs.memoryTypeBits, properties);
   VkDeviceMemory memory = VK_NULL_HANDLE;
   VkResult result = vkAllocateMemory(gpu.device(), &info, nullptr, &memory);
   if (result != VK_SUCCESS)
-    throw Error(gpu.report().name + " has no " + std::to_string(needs.size >> 20) + " MiB left for the " + name + " (" + resultName(result) +
-                    "); take fewer --cells, a smaller --capacity or a smaller --size",
+    throw Error(gpu.report().name + " has no " + std::to_string(needs.size >> 20) + " MiB left for the " + name + " (" +
+                    resultName(result) + "); take fewer --cells, a smaller --capacity or a smaller --size",
                 kExitDevice);
   return memory;
 }

@@ -3,8 +3,8 @@
 #include <array>
 #include <cmath>
 
-#include "core/gpu/stages.h"
 #include "core/base/parallel.h"
+#include "core/gpu/stages.h"
 
 namespace gridscope {
 namespace {
@@ -30,8 +30,8 @@ uint8_t srgbOfLinear(float linear) {
 
 // One texel of the resized image: the mean over the box of texels that it covers, or the bilinear blend when enlarged.
 struct Axis {
-  uint32_t first, last;   // texels covered, both included
-  float blend;            // of `last` against `first`, when the image is enlarged; negative: mean
+  uint32_t first, last;  // texels covered, both included
+  float blend;           // of `last` against `first`, when the image is enlarged; negative: mean
 };
 
 Axis coveredTexels(uint32_t texel, uint32_t size, uint32_t sourceSize) {
@@ -80,8 +80,10 @@ void resizeLayer(const Image& image, uint32_t size, std::span<uint8_t> layer) {
 }
 
 void copyLayer(const Image& image, uint32_t size, std::span<uint8_t> layer) {
-  if (image.width == size && image.height == size) std::copy(image.rgba.begin(), image.rgba.end(), layer.begin());
-  else resizeLayer(image, size, layer);
+  if (image.width == size && image.height == size)
+    std::copy(image.rgba.begin(), image.rgba.end(), layer.begin());
+  else
+    resizeLayer(image, size, layer);
 }
 
 }  // namespace

@@ -64,7 +64,7 @@ void append(std::vector<uint32_t>& words, uint32_t op, std::initializer_list<uin
 struct TypeSizes {
   std::unordered_map<uint32_t, uint32_t> bytes;
   std::unordered_map<uint32_t, uint32_t> constants;
-  std::unordered_map<uint32_t, std::vector<uint32_t>> members;       // of structures
+  std::unordered_map<uint32_t, std::vector<uint32_t>> members;  // of structures
   std::unordered_map<uint32_t, std::unordered_map<uint32_t, uint32_t>> offsets;
 
   uint32_t structureBytes(uint32_t type) {
@@ -110,8 +110,8 @@ std::span<const uint32_t> shaderCode(std::string_view stem) {
 }
 
 std::vector<uint32_t> makeExact(std::span<const uint32_t> words, bool roundingControl) {
-  std::vector<uint32_t> floats;      // result ids of float operations
-  std::set<uint32_t> already;        // ids with the decoration
+  std::vector<uint32_t> floats;  // result ids of float operations
+  std::set<uint32_t> already;    // ids with the decoration
   uint32_t entryPoint = 0;
   forInstructions(words, [&](uint32_t op, std::span<const uint32_t> instruction) {
     if (isFloatArithmetic(op)) floats.push_back(instruction[2]);

@@ -7,12 +7,12 @@
 #include <string>
 #include <vector>
 
-#include "core/grid/build.h"
 #include "core/gpu/program.h"
+#include "core/grid/build.h"
 #include "core/grid/invariants.h"
+#include "core/grid/settings.h"
 #include "core/scene/numbering.h"
 #include "core/scene/scene.h"
-#include "core/grid/settings.h"
 #include "core/trace/trace.h"
 #include "shaders/shared/views/view_element.h"
 
@@ -51,7 +51,7 @@ class GpuStages {
   GridTotals countGrid();
 
   // These return milliseconds of GPU time.
-  void transformAll();   // world triangles of every instance, without touching the grid
+  void transformAll();  // world triangles of every instance, without touching the grid
   double gather();
   double bounce();
   double trace(uint32_t firstRay, uint32_t endRay, bool counting);
@@ -63,9 +63,13 @@ class GpuStages {
   void writeGrid(std::span<const uint32_t> texels);
   bool hasGrid() const { return bool(grid_); }
   template <typename T>
-  std::vector<T> read(int binding, size_t count) { return download<T>(gpu_, buffers_[binding], count); }
+  std::vector<T> read(int binding, size_t count) {
+    return download<T>(gpu_, buffers_[binding], count);
+  }
   template <typename T>
-  void write(int binding, std::span<const T> values) { upload(gpu_, buffers_[binding], values); }
+  void write(int binding, std::span<const T> values) {
+    upload(gpu_, buffers_[binding], values);
+  }
   // The same for a buffer that is made when it is first written, or grows.
   template <typename T>
   void keep(int binding, const std::string& name, std::span<const T> values) {
@@ -93,7 +97,7 @@ class GpuStages {
   const NumberedScene& numbered_;
   GpuPrograms programs_;
   FrameParameters parameters_{};
-  GpuBuffer buffers_[kBindingCount];   // by binding; images have none
+  GpuBuffer buffers_[kBindingCount];  // by binding; images have none
   GpuImage grid_;
   GpuImage visibility_;
   GpuImage depth_;

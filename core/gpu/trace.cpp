@@ -19,7 +19,8 @@ RayRecord decodeRecord(const RayRecordHeader& header, std::span<const uint32_t> 
     const uint32_t* w = &words[at];
     switch (w[0]) {
       case kRecordSegment:
-        record.steps.push_back({.segment = int32_t(w[1]), .start = asFloat(w[2]), .cell = {int(w[3]), int(w[4]), int(w[5])}, .outcome = w[6]});
+        record.steps.push_back(
+            {.segment = int32_t(w[1]), .start = asFloat(w[2]), .cell = {int(w[3]), int(w[4]), int(w[5])}, .outcome = w[6]});
         at += 7;
         break;
       case kRecordTest:

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <mutex>
 
-#include "core/grid/candidates.h"
 #include "core/base/error.h"
 #include "core/base/parallel.h"
+#include "core/grid/candidates.h"
 #include "core/grid/slots.h"
 
 namespace gridscope {

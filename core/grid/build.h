@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "core/grid/grid.h"
-#include "core/scene/numbering.h"
 #include "core/grid/settings.h"
+#include "core/scene/numbering.h"
 
 namespace gridscope {
 
@@ -28,9 +28,9 @@ Grid buildGrid(const GridParameters& parameters, const NumberedScene& scene, std
 
 // What an update did.
 struct UpdateReport {
-  BuildReport added{};            // for `moved`: of the moved instances and of the rebuilt cells
-  uint32_t cellsRebuilt = 0;      // cells whose dynamic part was rebuilt from all dynamic instances (`moved`)
-  uint32_t cellsTouched = 0;      // cells that moved instances left or entered (`moved`); all cells for `all`
+  BuildReport added{};        // for `moved`: of the moved instances and of the rebuilt cells
+  uint32_t cellsRebuilt = 0;  // cells whose dynamic part was rebuilt from all dynamic instances (`moved`)
+  uint32_t cellsTouched = 0;  // cells that moved instances left or entered (`moved`); all cells for `all`
 };
 
 // Update, all: clears every dynamic reference and counter, then adds all dynamic instances again.

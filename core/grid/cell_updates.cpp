@@ -3,9 +3,9 @@
 
 #include <algorithm>
 
-#include "core/grid/demand.h"
 #include "core/base/error.h"
 #include "core/base/parallel.h"
+#include "core/grid/demand.h"
 
 namespace gridscope {
 
@@ -39,7 +39,8 @@ std::vector<CellUpdate> compareUpdate(const Grid& before, const Grid& after) {
   forRanges(size_t(grid.cellCount.z), 1, [&](size_t begin, size_t end) {
     for (ivec3 cell(0, 0, int(begin)); cell.z < int(end); ++cell.z)
       for (cell.y = 0; cell.y < grid.cellCount.y; ++cell.y)
-        for (cell.x = 0; cell.x < grid.cellCount.x; ++cell.x) updates[cellNumber(grid, cell)] = compareCell(dynamicIn(before, cell), dynamicIn(after, cell));
+        for (cell.x = 0; cell.x < grid.cellCount.x; ++cell.x)
+          updates[cellNumber(grid, cell)] = compareCell(dynamicIn(before, cell), dynamicIn(after, cell));
   });
   return updates;
 }

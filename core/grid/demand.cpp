@@ -3,9 +3,9 @@
 
 #include <algorithm>
 
-#include "core/grid/candidates.h"
 #include "core/base/error.h"
 #include "core/base/parallel.h"
+#include "core/grid/candidates.h"
 
 namespace gridscope {
 

@@ -12,7 +12,7 @@ namespace gridscope {
 
 class Demand {
  public:
-  Demand() = default;                  // of no cells: nothing is wanted
+  Demand() = default;  // of no cells: nothing is wanted
 
   // Runs the overlap test of every triangle, on all cores. Takes 4 bytes a tried reference and 8 a cell. worldTriangles: of all instances.
   Demand(const GridParameters& grid, const NumberedScene& scene, std::span<const Triangle> worldTriangles);
@@ -24,7 +24,7 @@ class Demand {
 
  private:
   GridParameters grid_{};
-  std::vector<uint64_t> first_;        // of a cell (x fastest) in references_; one more at the end
+  std::vector<uint64_t> first_;  // of a cell (x fastest) in references_; one more at the end
   std::vector<uint32_t> references_;
 };
 

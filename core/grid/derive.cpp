@@ -45,7 +45,8 @@ void checkNumber(const char* option, float value, float low, float high) {
 Bounds checkBounds(const GridSettings& settings, const Bounds& sceneBounds) {
   const Bounds& bounds = settings.bounds ? *settings.bounds : sceneBounds;
   const char* name = settings.bounds ? "--bounds" : "the scene's bounds";
-  if (!isFinite(bounds.low) || !isFinite(bounds.high)) throw Error(format("%s: not finite; give --bounds minx,miny,minz,maxx,maxy,maxz", name));
+  if (!isFinite(bounds.low) || !isFinite(bounds.high))
+    throw Error(format("%s: not finite; give --bounds minx,miny,minz,maxx,maxy,maxz", name));
   for (int axis = 0; axis < 3; ++axis)
     if (bounds.low[axis] > bounds.high[axis])
       throw Error(format("%s: the low end %g lies above the high end %g on %c; give --bounds minx,miny,minz,maxx,maxy,maxz", name,
@@ -73,8 +74,10 @@ float chooseCellEdge(const GridSettings& settings, const Bounds& bounds) {
   const float farthest = std::max(largest(abs(bounds.low)), largest(abs(bounds.high))) + edge;
   const float finest = std::max(kFloatsPerCell * (std::nextafter(farthest, INFINITY) - farthest), 1e-9f);
   if (edge < finest)
-    throw Error(format("cells of %g are too fine for coordinates of up to %g, which are %g apart as 32-bit floats; take fewer --cells or a "
-                       "--cell-edge of at least %g, or move the scene closer to its origin", edge, farthest, finest / kFloatsPerCell, finest));
+    throw Error(
+        format("cells of %g are too fine for coordinates of up to %g, which are %g apart as 32-bit floats; take fewer --cells or a "
+               "--cell-edge of at least %g, or move the scene closer to its origin",
+               edge, farthest, finest / kFloatsPerCell, finest));
   return edge;
 }
 
@@ -142,8 +145,10 @@ uint32_t largestThat(uint32_t most, const std::function<bool(uint32_t)>& fits) {
   uint32_t low = 0, high = most;
   while (low < high) {
     const uint32_t middle = low + (high - low + 1) / 2;
-    if (fits(middle)) low = middle;
-    else high = middle - 1;
+    if (fits(middle))
+      low = middle;
+    else
+      high = middle - 1;
   }
   return low;
 }
@@ -237,7 +242,8 @@ CameraParameters deriveCamera(const CameraPose& pose, uint32_t width, uint32_t h
   // Axes; a view along `up` takes the axis that lies most across it instead.
   const glm::dvec3 forward = glm::normalize(view);
   glm::dvec3 right = glm::cross(forward, glm::dvec3(pose.up));
-  if (!(glm::length(right) > 1e-4 * glm::length(glm::dvec3(pose.up)))) right = glm::cross(forward, std::abs(forward.z) < 0.9 ? glm::dvec3(0, 0, -1) : glm::dvec3(0, 1, 0));
+  if (!(glm::length(right) > 1e-4 * glm::length(glm::dvec3(pose.up))))
+    right = glm::cross(forward, std::abs(forward.z) < 0.9 ? glm::dvec3(0, 0, -1) : glm::dvec3(0, 1, 0));
   right = glm::normalize(right);
 
   CameraParameters camera{};
@@ -259,7 +265,8 @@ uint64_t gridByteCount(const GridParameters& grid) { return texelCount(gridTexel
 void checkGridFits(const GridSettings& settings, const GridParameters& grid, const GridLimits& limits) {
   const std::string reason = misfit(grid, limits);
   if (reason.empty()) return;
-  const std::string shape = format("a grid of %d x %d x %d cells with capacity %d ", grid.cellCount.x, grid.cellCount.y, grid.cellCount.z, grid.capacity);
+  const std::string shape =
+      format("a grid of %d x %d x %d cells with capacity %d ", grid.cellCount.x, grid.cellCount.y, grid.cellCount.z, grid.capacity);
   const std::string device = *limits.device == '\0' ? "" : format(" on %s", limits.device);
   throw Error(shape + reason + device + "; " + adviseSettings(settings, grid, limits), kExitDevice);
 }

@@ -1,8 +1,8 @@
 // From settings to the parameters that the stages read: every derived constant is computed here, once, and passed on as bits.
 #pragma once
 
-#include "core/scene/numbering.h"
 #include "core/grid/settings.h"
+#include "core/scene/numbering.h"
 #include "shaders/shared/pipeline/parameters.h"
 
 namespace gridscope {
@@ -28,9 +28,9 @@ uint64_t gridByteCount(const GridParameters& grid);
 
 // What a device can hold; the defaults are memory's alone (the C++ path).
 struct GridLimits {
-  uint32_t maxImageSide = 0;              // texels of a 3D image along any axis; 0: no limit, nor one on loops: no Vulkan device
-  uint64_t maxImageBytes = 0;             // of one image; 0: no limit
-  uint64_t maxMemoryBytes = 0;            // free memory; 0: unknown
+  uint32_t maxImageSide = 0;    // texels of a 3D image along any axis; 0: no limit, nor one on loops: no Vulkan device
+  uint64_t maxImageBytes = 0;   // of one image; 0: no limit
+  uint64_t maxMemoryBytes = 0;  // free memory; 0: unknown
   const char* device = "";
 };
 

@@ -10,7 +10,7 @@ namespace gridscope {
 
 struct Grid {
   GridParameters parameters{};
-  std::vector<uint32_t> texels;   // gridTexelCount(parameters): x fastest
+  std::vector<uint32_t> texels;  // gridTexelCount(parameters): x fastest
 
   size_t index(ivec3 texel) const {
     ivec3 count = gridTexelCount(parameters);
@@ -27,8 +27,8 @@ inline size_t cellIndex(const GridParameters& grid, ivec3 cell) {
 
 // What a cell holds.
 struct CellSlots {
-  std::vector<uint32_t> references;      // up to the first blank
-  std::vector<uint32_t> reserved;        // its reserved texels
+  std::vector<uint32_t> references;  // up to the first blank
+  std::vector<uint32_t> reserved;    // its reserved texels
 };
 CellSlots readCell(const Grid& grid, ivec3 cell);
 bool cellSaturated(const GridParameters& grid, const CellSlots& cell);

@@ -15,9 +15,9 @@ namespace {
 // A cell's slots and what it refused, as plain values.
 struct CellContent {
   ivec3 cell{};
-  std::vector<uint32_t> slots;     // all `capacity` of them
-  int stored = 0;                  // slots before the first blank
-  uint32_t staticRefused = 0;      // with one reserved texel: its flag
+  std::vector<uint32_t> slots;  // all `capacity` of them
+  int stored = 0;               // slots before the first blank
+  uint32_t staticRefused = 0;   // with one reserved texel: its flag
   uint32_t dynamicRefused = 0;
   bool full() const { return stored == int(slots.size()); }
 };
@@ -142,7 +142,8 @@ GridTotals countGrid(const Grid& grid) {
   forCellContents(grid, [&](const CellContent& content) {
     const bool counts = grid.parameters.reserved == 2;  // otherwise refusals are known to exist, not how many
     const auto end = content.slots.begin() + content.stored;
-    const uint32_t dynamic = uint32_t(std::count_if(content.slots.begin(), end, [&](uint32_t r) { return r >= firstDynamicReference(grid.parameters); }));
+    const uint32_t dynamic =
+        uint32_t(std::count_if(content.slots.begin(), end, [&](uint32_t r) { return r >= firstDynamicReference(grid.parameters); }));
     sums.dynamicStored += dynamic;
     sums.staticStored += uint32_t(content.stored) - dynamic;
     sums.staticRefused += counts ? content.staticRefused : 0;
@@ -181,9 +182,12 @@ std::vector<Invariant> testCells(const Grid& grid, const NumberedScene& scene, c
 
   // Devices count what they try in 32 bits.
   Invariant sum{.key = "sum", .name = "stored + refused = tried"};
-  if (parameters.reserved != 2) sum.whyNot = "the grid does not count what it refuses";
-  else if (tried == nullptr) sum.whyNot = "nobody counted what was tried";
-  else if (uint32_t(stored + refused) != uint32_t(*tried)) sum.count = 1, sum.fault = sumLine(stored, refused, *tried);
+  if (parameters.reserved != 2)
+    sum.whyNot = "the grid does not count what it refuses";
+  else if (tried == nullptr)
+    sum.whyNot = "nobody counted what was tried";
+  else if (uint32_t(stored + refused) != uint32_t(*tried))
+    sum.count = 1, sum.fault = sumLine(stored, refused, *tried);
   outcomes.push_back(sum);
   return outcomes;
 }

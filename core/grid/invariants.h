@@ -20,11 +20,11 @@ GridTotals countGrid(const Grid& grid);
 
 // One thing that must hold, and whether it does.
 struct Invariant {
-  std::string key;                 // in JSON: "noBlankBefore"
-  std::string name;                // "no blank before a reference"
-  std::string whyNot;              // why it does not apply; empty: it was tested
-  uint64_t count = 0;              // cells, or rays, that break it
-  std::string fault;               // how many break it, and the first with its place, in words; empty: it holds
+  std::string key;     // in JSON: "noBlankBefore"
+  std::string name;    // "no blank before a reference"
+  std::string whyNot;  // why it does not apply; empty: it was tested
+  uint64_t count = 0;  // cells, or rays, that break it
+  std::string fault;   // how many break it, and the first with its place, in words; empty: it holds
   bool holds() const { return fault.empty(); }
 };
 

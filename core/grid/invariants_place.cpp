@@ -16,7 +16,7 @@ namespace {
 // What is wrong with a cell.
 struct Fault {
   ivec3 cell;
-  const char* text;                    // with one %08X: the reference
+  const char* text;  // with one %08X: the reference
   uint32_t reference;
 };
 
@@ -35,7 +35,8 @@ std::optional<Fault> findMisplaced(const PlaceInput& input, ivec3 cell) {
   if (wanted.empty() && held.empty()) return std::nullopt;
   std::ranges::sort(held);
   for (uint32_t reference : held)
-    if (reference < firstDynamic && !std::ranges::binary_search(wanted, reference)) return Fault{cell, "holds 0x%08X, which does not overlap it", reference};
+    if (reference < firstDynamic && !std::ranges::binary_search(wanted, reference))
+      return Fault{cell, "holds 0x%08X, which does not overlap it", reference};
 
   // What must be there: of sorted insertion, or where there is room, the smallest; else as many, and no dynamic one in a static one's place.
   const size_t room = size_t(grid.capacity);
@@ -43,7 +44,8 @@ std::optional<Fault> findMisplaced(const PlaceInput& input, ivec3 cell) {
   const auto lacks = [&](uint32_t reference) { return !std::ranges::binary_search(held, reference); };
   if (exact) {
     const std::span<const uint32_t> due = wanted.first(std::min(wanted.size(), room));
-    if (const auto missing = std::ranges::find_if(due, lacks); missing != due.end()) return Fault{cell, "lacks 0x%08X, which overlaps it", *missing};
+    if (const auto missing = std::ranges::find_if(due, lacks); missing != due.end())
+      return Fault{cell, "lacks 0x%08X, which overlaps it", *missing};
     return std::nullopt;
   }
   const auto isStatic = [&](uint32_t reference) { return reference < firstDynamic; };

@@ -8,8 +8,8 @@ namespace gridscope {
 
 struct PlaceInput {
   const Grid& grid;
-  const Demand& demand;                // of the present world triangles
-  bool dynamicAdded = true;            // false: after a build, before the first update: no dynamic reference may be there
+  const Demand& demand;      // of the present world triangles
+  bool dynamicAdded = true;  // false: after a build, before the first update: no dynamic reference may be there
 };
 
 // A cell holds no static reference that its overlap test turns down, lacks none while it has room, keeps the statics first, and of

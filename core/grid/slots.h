@@ -10,7 +10,8 @@ namespace gridscope {
 // What a trace needs. Texel coordinates are not checked.
 class SlotReader {
  public:
-  explicit SlotReader(const Grid& grid) : texels_(grid.texels.data()), sideX_(gridTexelCount(grid.parameters).x), sideY_(gridTexelCount(grid.parameters).y) {}
+  explicit SlotReader(const Grid& grid)
+      : texels_(grid.texels.data()), sideX_(gridTexelCount(grid.parameters).x), sideY_(gridTexelCount(grid.parameters).y) {}
 
   uint slotLoad(ivec3 texel) const { return texels_[index(texel)]; }
 

@@ -6,10 +6,10 @@
 // moved references out and inserting the new ones makes the present set, and the insertion itself drops and counts what finds no slot.
 // Where something had been refused, the slots do not say what: the cell starts from its static part and gets the present set from all dynamic
 // instances. A cell that no moved triangle overlapped before or overlaps now has the same set as before and is left alone.
-#include "core/grid/build.h"
-#include "core/grid/candidates.h"
 #include "core/base/error.h"
 #include "core/base/parallel.h"
+#include "core/grid/build.h"
+#include "core/grid/candidates.h"
 #include "core/grid/slots.h"
 
 namespace gridscope {
@@ -146,11 +146,14 @@ UpdateReport updateMoved(const NumberedScene& scene, std::span<const uint32_t> m
   RestoringInsert restore(grid, marks);
   for (uint32_t i = scene.staticInstanceCount; i < scene.instanceCount(); ++i) {
     if (!isMoved[i] && report.cellsRebuilt == 0) continue;
-    forCandidates(scene, i, worldTriangles, grid.parameters, report.added, [&](const Triangle& triangle, uint32_t reference, const CellRange& range) {
-      const uvec2 whole(0, cellRangeCount(range));
-      if (isMoved[i]) insert.insertTriangle(grid.parameters, triangle, reference, range, whole, report.added);
-      else restore.insertTriangle(grid.parameters, triangle, reference, range, whole, report.added);
-    });
+    forCandidates(scene, i, worldTriangles, grid.parameters, report.added,
+                  [&](const Triangle& triangle, uint32_t reference, const CellRange& range) {
+                    const uvec2 whole(0, cellRangeCount(range));
+                    if (isMoved[i])
+                      insert.insertTriangle(grid.parameters, triangle, reference, range, whole, report.added);
+                    else
+                      restore.insertTriangle(grid.parameters, triangle, reference, range, whole, report.added);
+                  });
   }
   return report;
 }

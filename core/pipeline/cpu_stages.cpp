@@ -6,7 +6,10 @@
 namespace gridscope {
 
 CpuStages::CpuStages(PipelineInputs inputs)
-    : scene_(std::move(inputs.numbered)), parameters_(inputs.parameters), mode_(inputs.settings.grid.update), worldTriangles_(scene_.triangleCount) {
+    : scene_(std::move(inputs.numbered)),
+      parameters_(inputs.parameters),
+      mode_(inputs.settings.grid.update),
+      worldTriangles_(scene_.triangleCount) {
   checkGridFits(inputs.settings.grid, parameters_.grid, {});
 }
 
@@ -22,8 +25,10 @@ void CpuStages::update(std::span<const Instance> instances) {
   for (uint32_t i = scene_.staticInstanceCount; i < instances.size(); ++i)
     if (std::memcmp(&instances[i], &scene_.instances[i], sizeof(Instance)) != 0) moved.push_back(i);
   scene_.instances.assign(instances.begin(), instances.end());
-  if (!dynamicAdded_ || mode_ == UpdateMode::all) updateAll(scene_, worldTriangles_, grid_);
-  else updateMoved(scene_, moved, worldTriangles_, grid_);
+  if (!dynamicAdded_ || mode_ == UpdateMode::all)
+    updateAll(scene_, worldTriangles_, grid_);
+  else
+    updateMoved(scene_, moved, worldTriangles_, grid_);
   dynamicAdded_ = true;
 }
 

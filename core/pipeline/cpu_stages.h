@@ -26,7 +26,7 @@ class CpuStages {
   NumberedScene scene_;
   FrameParameters parameters_;
   UpdateMode mode_;
-  bool dynamicAdded_ = false;      // the grid holds the dynamic instances
+  bool dynamicAdded_ = false;  // the grid holds the dynamic instances
   Grid grid_;
   std::vector<Triangle> worldTriangles_;
   std::vector<Ray> rays_;

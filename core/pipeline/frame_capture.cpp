@@ -57,8 +57,11 @@ std::vector<ExactHit> traceExactHits(const TraceInput& input, std::span<const Ra
 }
 
 PipelineInputs pipelineInputs(const Capture& capture, size_t frame) {
-  PipelineInputs inputs{.name = capture.names.scene, .numbered = frameScene(capture, frame), .settings = capture.settings,
-                        .parameters = frameParameters(capture, frame), .bounds = capture.bounds};
+  PipelineInputs inputs{.name = capture.names.scene,
+                        .numbered = frameScene(capture, frame),
+                        .settings = capture.settings,
+                        .parameters = frameParameters(capture, frame),
+                        .bounds = capture.bounds};
 
   // Diffuse maps are not in the capture: surfaces show their base colour.
   for (TraceMaterial& material : inputs.numbered.materials) material.layer = kNoLayer;
@@ -78,7 +81,8 @@ std::vector<Instance> frameInstances(const Capture& capture, size_t frame) {
   std::vector<Instance> instances = capture.scene.instances;
   const std::vector<InstanceRows>& rows = capture.frames[frame].rows;
   CHECK_EQ(rows.size(), instances.size());
-  for (size_t i = 0; i < instances.size(); ++i) instances[i].row0 = rows[i].row0, instances[i].row1 = rows[i].row1, instances[i].row2 = rows[i].row2;
+  for (size_t i = 0; i < instances.size(); ++i)
+    instances[i].row0 = rows[i].row0, instances[i].row1 = rows[i].row1, instances[i].row2 = rows[i].row2;
   return instances;
 }
 

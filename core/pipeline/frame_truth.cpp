@@ -32,15 +32,18 @@ std::vector<Hit> traceExactly(const FrameTruth& frame, const TruthProgress& prog
 }  // namespace
 
 FrameTruth tellFrame(Pipeline& pipeline, const TruthProgress& progress) {
-  FrameTruth frame{.grid = pipeline.grid(), .worldTriangles = pipeline.worldTriangles(), .rays = pipeline.rays(), .hits = pipeline.hits(),
-                   .parameters = pipeline.parameters().trace, .scene = &pipeline.numbered()};
+  FrameTruth frame{.grid = pipeline.grid(),
+                   .worldTriangles = pipeline.worldTriangles(),
+                   .rays = pipeline.rays(),
+                   .hits = pipeline.hits(),
+                   .parameters = pipeline.parameters().trace,
+                   .scene = &pipeline.numbered()};
   if (progress && !progress(0.0f)) return frame;
   frame.demand = Demand(frame.grid.parameters, *frame.scene, frame.worldTriangles);
   frame.exact = traceExactly(frame, progress);
   if (frame.exact.size() != frame.rays.size()) return frame;
-  frame.truths = tellTruth(frame.input(), frame.rays, frame.hits, frame.exact, [&](float done) {
-    return !progress || progress(kExactShare + (1.0f - kExactShare) * done);
-  });
+  frame.truths = tellTruth(frame.input(), frame.rays, frame.hits, frame.exact,
+                           [&](float done) { return !progress || progress(kExactShare + (1.0f - kExactShare) * done); });
   frame.totals = countTruths(frame.truths);
   return frame;
 }

@@ -3,10 +3,10 @@
 
 #include <vector>
 
-#include "core/truth/ledger.h"
 #include "core/pipeline/pipeline.h"
-#include "core/truth/truth.h"
+#include "core/truth/ledger.h"
 #include "core/truth/proof.h"
+#include "core/truth/truth.h"
 
 namespace gridscope {
 
@@ -21,8 +21,8 @@ struct FrameTruth {
 
   // What was found out.
   Demand demand;
-  std::vector<Hit> exact;                // one a ray; empty when abandoned
-  std::vector<RayTruth> truths;          // one a ray; empty when abandoned
+  std::vector<Hit> exact;        // one a ray; empty when abandoned
+  std::vector<RayTruth> truths;  // one a ray; empty when abandoned
   TruthTotals totals;
 
   TraceInput traceInput() const { return {grid, *scene, worldTriangles, parameters}; }

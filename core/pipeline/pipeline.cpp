@@ -30,16 +30,26 @@ std::vector<std::string> framePasses(StageDevice device) {
 void tryShaders(GpuContext& gpu) { GpuStages::tryShaders(gpu); }
 
 Pipeline::Pipeline(GpuContext& gpu, const Scene& scene, const FrameSettings& settings, StageDevice device)
-    : gpu_(gpu), scene_(&scene), name_(scene.name), settings_(settings), device_(device),
-      bounds_(settings.grid.bounds.value_or(sceneBounds(scene))), numbered_(numberScene(scene, settings.grid.numberBy)) {
+    : gpu_(gpu),
+      scene_(&scene),
+      name_(scene.name),
+      settings_(settings),
+      device_(device),
+      bounds_(settings.grid.bounds.value_or(sceneBounds(scene))),
+      numbered_(numberScene(scene, settings.grid.numberBy)) {
   parameters_.grid = deriveGrid(settings.grid, bounds_, numbered_);
   setFrameParameters();
   prepare(scene.images);
 }
 
 Pipeline::Pipeline(GpuContext& gpu, PipelineInputs inputs, StageDevice device)
-    : gpu_(gpu), name_(std::move(inputs.name)), settings_(inputs.settings), device_(device), bounds_(inputs.bounds),
-      numbered_(std::move(inputs.numbered)), parameters_(inputs.parameters) {
+    : gpu_(gpu),
+      name_(std::move(inputs.name)),
+      settings_(inputs.settings),
+      device_(device),
+      bounds_(inputs.bounds),
+      numbered_(std::move(inputs.numbered)),
+      parameters_(inputs.parameters) {
   prepare({});
 }
 
@@ -50,8 +60,10 @@ void Pipeline::prepare(std::span<const Image> images) {
   if (settings_.grid.builder == Builder::raster && onDevice && !gpu_.report().geometryStage)
     throw Error("--builder raster: " + gpu_.report().name + " has no geometry stage; use --builder compute", kExitDevice);
   stages_ = std::make_unique<GpuStages>(gpu_, images, numbered_, settings_);
-  if (onDevice) stages_->makeGrid(parameters_.grid);
-  else cpuWorldTriangles_.resize(numbered_.triangleCount);
+  if (onDevice)
+    stages_->makeGrid(parameters_.grid);
+  else
+    cpuWorldTriangles_.resize(numbered_.triangleCount);
   stages_->setParameters(parameters_);
   stages_->warm(framePasses(device_));
 }
@@ -85,7 +97,8 @@ void Pipeline::setBounce(const BounceSettings& settings) {
 }
 
 void Pipeline::setGrid(const GridSettings& settings) {
-  if (settings.numberBy != settings_.grid.numberBy) throw Error(name_ + ": its references are numbered already; another order needs the scene");
+  if (settings.numberBy != settings_.grid.numberBy)
+    throw Error(name_ + ": its references are numbered already; another order needs the scene");
   if (bounds_.empty()) throw Error(name_ + ": it does not say its scene's bounds, so its grid's settings are fixed");
   const bool onDevice = device_ == StageDevice::vulkan;
   const GridParameters grid = deriveGrid(settings, settings.bounds.value_or(bounds_), numbered_);
@@ -269,7 +282,8 @@ Pipeline::ViewImage Pipeline::view(std::string_view name, const SliceSettings& s
   ivec3 cells = parameters_.grid.cellCount;
   int layer = slice.index < 0 ? cells[slice.axis] / 2 : slice.index;
   if (layer >= cells[slice.axis])
-    throw Error("--slice: layer " + std::to_string(layer) + " is beyond the grid's " + std::to_string(cells[slice.axis]) + " cells along that axis");
+    throw Error("--slice: layer " + std::to_string(layer) + " is beyond the grid's " + std::to_string(cells[slice.axis]) +
+                " cells along that axis");
   ViewImage image;
   uvec2 size = isSlice ? sliceSize(cells, slice.axis) : uvec2(settings_.width, settings_.height);
   image.width = size.x;

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cstring>
 
-#include "core/grid/demand.h"
 #include "core/base/error.h"
 #include "core/base/parallel.h"
+#include "core/grid/demand.h"
 
 namespace gridscope {
 
@@ -21,7 +21,9 @@ uint32_t compareCell(const Grid& a, const Grid& b, ivec3 cell) {
 }
 
 // What a user of the hit gets.
-bool sameResult(const Hit& a, const Hit& b) { return a.kind == b.kind && a.reference == b.reference && std::memcmp(&a.t, &b.t, sizeof a.t) == 0; }
+bool sameResult(const Hit& a, const Hit& b) {
+  return a.kind == b.kind && a.reference == b.reference && std::memcmp(&a.t, &b.t, sizeof a.t) == 0;
+}
 
 }  // namespace
 

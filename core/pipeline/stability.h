@@ -11,12 +11,12 @@
 namespace gridscope {
 
 struct Stability {
-  uint32_t builds = 0;                 // compared
-  std::vector<uint32_t> cells;         // kStable..., x fastest
-  std::vector<uint32_t> rays;          // 1: the ray's result is not the same in all builds
-  uint64_t occupied = 0;               // cells that hold a reference, in the first build
-  uint64_t setDiffers = 0;             // cells that hold other references
-  uint64_t orderDiffers = 0;           // cells that hold the same ones in another order, now and then
+  uint32_t builds = 0;          // compared
+  std::vector<uint32_t> cells;  // kStable..., x fastest
+  std::vector<uint32_t> rays;   // 1: the ray's result is not the same in all builds
+  uint64_t occupied = 0;        // cells that hold a reference, in the first build
+  uint64_t setDiffers = 0;      // cells that hold other references
+  uint64_t orderDiffers = 0;    // cells that hold the same ones in another order, now and then
   uint64_t raysChange = 0;
 };
 

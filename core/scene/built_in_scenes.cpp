@@ -13,9 +13,8 @@ constexpr std::array kBuiltInScenes = {
     BuiltInScene{.name = "hall",
                  .lesson = "a vaulted nave with a glossy floor, ivy, a filigree that saturates its cells, and three teapots",
                  .make = makeHall},
-    BuiltInScene{.name = "empty-walk",
-                 .lesson = "rays that cross a hundred empty cells, one blank slot read in each",
-                 .make = makeEmptyWalk},
+    BuiltInScene{
+        .name = "empty-walk", .lesson = "rays that cross a hundred empty cells, one blank slot read in each", .make = makeEmptyWalk},
     BuiltInScene{.name = "saturated-cell",
                  .lesson = "a tuft that fills its cell: later triangles are refused, and gaps are filled with voxel hits",
                  .make = makeSaturatedCell,

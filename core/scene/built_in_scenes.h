@@ -12,13 +12,13 @@ namespace gridscope {
 // A scene with the settings under which its lesson shows. A setting that is 0 is left to the tool's default.
 struct BuiltInScene {
   std::string_view name;
-  std::string_view lesson;        // one line
+  std::string_view lesson;  // one line
   Scene (*make)() = nullptr;
-  uint32_t cells = 0;             // along the longest side
-  float cellEdge = 0.0f;          // metres; used instead of cells by lessons that need to know where the cell faces are
-  uint32_t capacity = 0;          // slots a cell
-  float ahead = 0.0f;             // elongation of a segment, in cell edges
-  uint32_t width = 0;             // picture, pixels
+  uint32_t cells = 0;     // along the longest side
+  float cellEdge = 0.0f;  // metres; used instead of cells by lessons that need to know where the cell faces are
+  uint32_t capacity = 0;  // slots a cell
+  float ahead = 0.0f;     // elongation of a segment, in cell edges
+  uint32_t width = 0;     // picture, pixels
   uint32_t height = 0;
 };
 

@@ -51,12 +51,27 @@ Scene makeHall() {
   addIvy(scene);
   addChandeliers(scene);
 
-  addTeapot(scene, {.centre = {-1.5f, 0.35f, 7.2f}, .length = 1.5f, .radius = 0.7f, .bob = 0.15f, .periodSeconds = 7.0f,
-                     .baseColour = {0.48f, 0.03f, 0.02f, 1.0f}});
-  addTeapot(scene, {.centre = {1.2f, 0.8f, 2.2f}, .length = 1.5f, .radius = 1.1f, .bob = 0.3f, .periodSeconds = 9.1f,
-                     .startTurn = 0.3f, .baseColour = {0.02f, 0.12f, 0.34f, 1.0f}});
-  addTeapot(scene, {.centre = {-0.9f, 1.1f, -3.0f}, .length = 1.5f, .radius = 1.4f, .bob = 0.4f, .periodSeconds = 11.3f,
-                     .startTurn = 0.6f, .baseColour = {0.90f, 0.60f, 0.22f, 1.0f}, .metallic = 1.0f});
+  addTeapot(scene, {.centre = {-1.5f, 0.35f, 7.2f},
+                    .length = 1.5f,
+                    .radius = 0.7f,
+                    .bob = 0.15f,
+                    .periodSeconds = 7.0f,
+                    .baseColour = {0.48f, 0.03f, 0.02f, 1.0f}});
+  addTeapot(scene, {.centre = {1.2f, 0.8f, 2.2f},
+                    .length = 1.5f,
+                    .radius = 1.1f,
+                    .bob = 0.3f,
+                    .periodSeconds = 9.1f,
+                    .startTurn = 0.3f,
+                    .baseColour = {0.02f, 0.12f, 0.34f, 1.0f}});
+  addTeapot(scene, {.centre = {-0.9f, 1.1f, -3.0f},
+                    .length = 1.5f,
+                    .radius = 1.4f,
+                    .bob = 0.4f,
+                    .periodSeconds = 11.3f,
+                    .startTurn = 0.6f,
+                    .baseColour = {0.90f, 0.60f, 0.22f, 1.0f},
+                    .metallic = 1.0f});
   return scene;
 }
 

@@ -7,18 +7,18 @@
 namespace gridscope::hall {
 
 inline constexpr uint32_t kBays = 7;
-inline constexpr float kBay = 4.5f;                      // length of a bay along z
-inline constexpr float kEnd = 0.5f * kBays * kBay;       // end walls at z = -kEnd (the rose) and +kEnd (the door)
-inline constexpr float kNave = 4.0f;                     // half the nave's width, to the middle of the arcade
-inline constexpr float kArcadeHalf = 0.42f;              // half the thickness of the walls above the columns
-inline constexpr float kOuter = 8.2f;                    // inner face of the outer walls
+inline constexpr float kBay = 4.5f;                 // length of a bay along z
+inline constexpr float kEnd = 0.5f * kBays * kBay;  // end walls at z = -kEnd (the rose) and +kEnd (the door)
+inline constexpr float kNave = 4.0f;                // half the nave's width, to the middle of the arcade
+inline constexpr float kArcadeHalf = 0.42f;         // half the thickness of the walls above the columns
+inline constexpr float kOuter = 8.2f;               // inner face of the outer walls
 inline constexpr float kOuterThickness = 0.5f;
-inline constexpr float kCapital = 4.4f;                  // top of the columns, where arcade and aisle vaults spring
-inline constexpr float kString = 7.7f;                   // moulding between arcade and clerestory
-inline constexpr float kSpring = 9.6f;                   // where the nave's vault springs
+inline constexpr float kCapital = 4.4f;  // top of the columns, where arcade and aisle vaults spring
+inline constexpr float kString = 7.7f;   // moulding between arcade and clerestory
+inline constexpr float kSpring = 9.6f;   // where the nave's vault springs
 inline constexpr float kVaultRise = 4.6f;
 inline constexpr float kAisleRise = 2.9f;
-inline constexpr float kRoseY = 9.7f;                    // middle of the rose window
+inline constexpr float kRoseY = 9.7f;  // middle of the rose window
 inline constexpr float kRoseRadius = 2.4f;
 
 // An opening with a pointed arch, in a wall that is measured by (u, y): u along the wall.
@@ -26,9 +26,9 @@ struct Opening {
   float middle = 0.0f;
   float halfWidth = 1.0f;
   float bottom = 0.0f;
-  float spring = 1.0f;      // where the arch begins
-  float rise = 1.0f;        // from there to the point
-  float top(float u) const; // lower edge of the wall above the opening
+  float spring = 1.0f;       // where the arch begins
+  float rise = 1.0f;         // from there to the point
+  float top(float u) const;  // lower edge of the wall above the opening
 };
 
 inline constexpr Opening kArcadeArch{.middle = 0.5f * kBay, .halfWidth = 1.78f, .bottom = kCapital, .spring = kCapital, .rise = 2.7f};
@@ -45,7 +45,20 @@ vec3 bakedLight(const vec3& position, const vec3& normal);
 
 // Materials by their index in the scene.
 enum HallMaterial : uint32_t {
-  kStone, kPlaster, kCarved, kTiles, kInlay, kFlags, kStainedGlass, kPaleGlass, kLeaf, kGold, kIron, kWood, kClay, kWax,
+  kStone,
+  kPlaster,
+  kCarved,
+  kTiles,
+  kInlay,
+  kFlags,
+  kStainedGlass,
+  kPaleGlass,
+  kLeaf,
+  kGold,
+  kIron,
+  kWood,
+  kClay,
+  kWax,
 };
 void addMaterials(Scene& scene);
 

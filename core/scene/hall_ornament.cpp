@@ -78,9 +78,7 @@ void addHangingIvy(Mesh& leaves, Mesh& stems, float side, float middle, uint32_t
     const float z = middle + 2.6f * (hashUnit(strand, seed, 21) - 0.5f);
     const float length = 0.5f + 1.9f * hashUnit(strand, seed, 22) * hashUnit(strand, seed, 23);
     const float x = side * (kNave - kArcadeHalf - 0.2f);
-    const auto curve = [&](float s) {
-      return vec3(x + side * 0.06f * s, kString + 0.3f - length * s, z + 0.1f * std::sin(5.0f * s + z));
-    };
+    const auto curve = [&](float s) { return vec3(x + side * 0.06f * s, kString + 0.3f - length * s, z + 0.1f * std::sin(5.0f * s + z)); };
     addBar(stems, {.curve = curve, .thickness = 0.009f, .pieces = 10, .sections = 4});
     const uint32_t count = static_cast<uint32_t>(34.0f * length) + 6;
     for (uint32_t i = 0; i < count; ++i) {
@@ -96,9 +94,9 @@ void addHangingIvy(Mesh& leaves, Mesh& stems, float side, float middle, uint32_t
   }
 }
 
-const std::array<vec2, 13> kPotProfile = {
-    vec2(0.0f, 0.02f), {0.26f, 0.02f}, {0.26f, 0.02f}, {0.28f, 0.06f}, {0.36f, 0.30f}, {0.40f, 0.52f}, {0.40f, 0.52f},
-    {0.45f, 0.54f}, {0.46f, 0.60f}, {0.45f, 0.64f}, {0.45f, 0.64f}, {0.38f, 0.64f}, {0.36f, 0.54f}};
+const std::array<vec2, 13> kPotProfile = {vec2(0.0f, 0.02f), {0.26f, 0.02f}, {0.26f, 0.02f}, {0.28f, 0.06f}, {0.36f, 0.30f},
+                                          {0.40f, 0.52f},    {0.40f, 0.52f}, {0.45f, 0.54f}, {0.46f, 0.60f}, {0.45f, 0.64f},
+                                          {0.45f, 0.64f},    {0.38f, 0.64f}, {0.36f, 0.54f}};
 
 void addBush(Mesh& leaves, const vec3& foot, uint32_t seed) {
   for (uint32_t i = 0; i < 420; ++i) {
@@ -130,13 +128,20 @@ void addFiligree(Scene& scene) {
   constexpr uint32_t kMeridians = 12, kParallels = 7;
   for (uint32_t i = 0; i < kMeridians; ++i) {
     const float angle = kPi * static_cast<float>(i) / kMeridians;
-    addRing(filigree, {.centre = kFiligree, .axis = {std::cos(angle), 0.0f, std::sin(angle)}, .radius = 0.33f, .thickness = 0.006f,
-                       .sides = 64, .sections = 6});
+    addRing(filigree, {.centre = kFiligree,
+                       .axis = {std::cos(angle), 0.0f, std::sin(angle)},
+                       .radius = 0.33f,
+                       .thickness = 0.006f,
+                       .sides = 64,
+                       .sections = 6});
   }
   for (uint32_t i = 0; i < kParallels; ++i) {
     const float up = 0.33f * std::sin(0.5f * kPi * (static_cast<float>(i + 1) / (kParallels + 1) * 2.0f - 1.0f));
-    addRing(filigree, {.centre = kFiligree + vec3(0.0f, up, 0.0f), .radius = std::sqrt(0.33f * 0.33f - up * up), .thickness = 0.005f,
-                       .sides = 64, .sections = 6});
+    addRing(filigree, {.centre = kFiligree + vec3(0.0f, up, 0.0f),
+                       .radius = std::sqrt(0.33f * 0.33f - up * up),
+                       .thickness = 0.005f,
+                       .sides = 64,
+                       .sections = 6});
   }
   const auto curve = [](float s) { return kFiligree + knot(s); };
   addBar(filigree, {.curve = curve, .thickness = 0.014f, .pieces = 420, .sections = 8});
@@ -147,8 +152,8 @@ void addFiligree(Scene& scene) {
 
   Mesh plinth = newMesh("plinth", kCarved);
   const std::array<vec2, 14> profile = {vec2(0.48f, 0.0f), {0.48f, 0.12f}, {0.48f, 0.12f}, {0.42f, 0.16f}, {0.36f, 0.22f},
-                                        {0.33f, 0.30f}, {0.31f, 0.95f}, {0.31f, 0.95f}, {0.34f, 1.02f}, {0.42f, 1.10f},
-                                        {0.42f, 1.10f}, {0.42f, 1.20f}, {0.42f, 1.20f}, {0.0f, 1.24f}};
+                                        {0.33f, 0.30f},    {0.31f, 0.95f}, {0.31f, 0.95f}, {0.34f, 1.02f}, {0.42f, 1.10f},
+                                        {0.42f, 1.10f},    {0.42f, 1.20f}, {0.42f, 1.20f}, {0.0f, 1.24f}};
   addLathe(plinth, {kFiligree.x, 0.0f, kFiligree.z}, profile, 24);
   addPart(scene, std::move(plinth));
 }
@@ -166,8 +171,11 @@ void addIvy(Scene& scene) {
 
 void addPlanters(Scene& scene) {
   Mesh pots = newMesh("planters", kClay), bushes = newMesh("bushes", kLeaf);
-  const std::array<vec3, 5> places = {vec3(-2.9f, 0.0f, bayStart(1) - 1.5f), {2.95f, 0.0f, bayStart(2) - 2.1f},
-                                      {-2.95f, 0.0f, bayStart(4) - 2.2f}, {2.95f, 0.0f, bayStart(5) - 2.2f}, {-6.9f, 0.0f, bayStart(2)}};
+  const std::array<vec3, 5> places = {vec3(-2.9f, 0.0f, bayStart(1) - 1.5f),
+                                      {2.95f, 0.0f, bayStart(2) - 2.1f},
+                                      {-2.95f, 0.0f, bayStart(4) - 2.2f},
+                                      {2.95f, 0.0f, bayStart(5) - 2.2f},
+                                      {-6.9f, 0.0f, bayStart(2)}};
   for (uint32_t i = 0; i < places.size(); ++i) {
     addLathe(pots, places[i], kPotProfile, 24);
     addBush(bushes, places[i], 700 + 40 * i);

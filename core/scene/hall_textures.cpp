@@ -90,8 +90,8 @@ vec4 inlayColour(float u, float v) {
   if (diamond < 0.62f) colour = vec3(0.20f, 0.25f, 0.24f) * (2.0f - marble(u, v, 23, 0.5f));
   if (diamond < 0.26f) colour = vec3(0.80f, 0.58f, 0.25f) * marble(u, v, 24, 0.3f);
   if (place.x > 0.9f) colour = vec3(0.17f, 0.18f, 0.18f) * (2.0f - marble(u, v, 25, 0.6f));
-  const float line = std::min({std::abs(diamond - 0.98f), std::abs(diamond - 0.62f), std::abs(diamond - 0.26f), std::abs(place.x - 0.9f),
-                               1.0f - place.y});
+  const float line =
+      std::min({std::abs(diamond - 0.98f), std::abs(diamond - 0.62f), std::abs(diamond - 0.26f), std::abs(place.x - 0.9f), 1.0f - place.y});
   return vec4(colour * glm::mix(0.5f, 1.0f, glm::smoothstep(0.004f, 0.018f, line)), 1.0f);
 }
 
@@ -152,12 +152,23 @@ void addMaterials(Scene& scene) {
   add({.name = "marble tiles", .metallic = 0.25f, .roughness = 0.06f, .imageIndex = addImage(scene, "marble tiles", 512, tileColour)});
   add({.name = "marble inlay", .metallic = 0.25f, .roughness = 0.06f, .imageIndex = addImage(scene, "marble inlay", 512, inlayColour)});
   add({.name = "flagstones", .roughness = 0.25f, .imageIndex = addImage(scene, "flagstones", 256, flagColour)});
-  add({.name = "stained glass", .roughness = 0.3f, .imageIndex = addImage(scene, "stained glass", 256, stainedColour),
-       .doubleSided = true, .unlit = true});
-  add({.name = "pale glass", .roughness = 0.3f, .imageIndex = addImage(scene, "pale glass", 256, paleColour),
-       .doubleSided = true, .unlit = true});
-  add({.name = "ivy leaf", .roughness = 0.6f, .imageIndex = addImage(scene, "ivy leaf", 128, leafColour), .wrapU = WrapMode::clamp,
-       .wrapV = WrapMode::clamp, .alphaMode = AlphaMode::mask, .doubleSided = true});
+  add({.name = "stained glass",
+       .roughness = 0.3f,
+       .imageIndex = addImage(scene, "stained glass", 256, stainedColour),
+       .doubleSided = true,
+       .unlit = true});
+  add({.name = "pale glass",
+       .roughness = 0.3f,
+       .imageIndex = addImage(scene, "pale glass", 256, paleColour),
+       .doubleSided = true,
+       .unlit = true});
+  add({.name = "ivy leaf",
+       .roughness = 0.6f,
+       .imageIndex = addImage(scene, "ivy leaf", 128, leafColour),
+       .wrapU = WrapMode::clamp,
+       .wrapV = WrapMode::clamp,
+       .alphaMode = AlphaMode::mask,
+       .doubleSided = true});
   add({.name = "gold", .baseColour = {1.0f, 0.68f, 0.28f, 1.0f}, .metallic = 1.0f, .roughness = 0.18f});
   add({.name = "iron", .baseColour = {0.09f, 0.085f, 0.08f, 1.0f}, .metallic = 0.3f, .roughness = 0.4f});
   add({.name = "wood", .roughness = 0.55f, .imageIndex = addImage(scene, "wood", 128, woodColour)});

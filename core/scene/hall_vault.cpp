@@ -80,11 +80,11 @@ VaultBay aisleVault(uint32_t bay, float side) {
 
 // Foot, shaft and capital, as (radius, height); doubled points are edges.
 const std::array<vec2, 34> kColumnProfile = {
-    vec2(0.62f, 0.0f), {0.62f, 0.16f}, {0.62f, 0.16f}, {0.58f, 0.18f}, {0.58f, 0.18f}, {0.63f, 0.22f}, {0.65f, 0.27f}, {0.63f, 0.32f},
-    {0.57f, 0.36f}, {0.57f, 0.36f}, {0.52f, 0.40f}, {0.50f, 0.44f}, {0.54f, 0.48f}, {0.54f, 0.52f}, {0.48f, 0.56f}, {0.48f, 0.56f},
-    {0.44f, 0.58f}, {0.44f, 1.2f}, {0.435f, 1.8f}, {0.43f, 2.4f}, {0.42f, 3.0f}, {0.41f, 3.5f}, {0.41f, 3.5f}, {0.46f, 3.53f},
-    {0.46f, 3.58f}, {0.41f, 3.61f}, {0.41f, 3.61f}, {0.42f, 3.8f}, {0.47f, 3.96f}, {0.56f, 4.08f}, {0.66f, 4.15f}, {0.66f, 4.15f},
-    {0.66f, 4.2f}, {0.60f, 4.2f},
+    vec2(0.62f, 0.0f), {0.62f, 0.16f}, {0.62f, 0.16f}, {0.58f, 0.18f}, {0.58f, 0.18f}, {0.63f, 0.22f}, {0.65f, 0.27f},
+    {0.63f, 0.32f},    {0.57f, 0.36f}, {0.57f, 0.36f}, {0.52f, 0.40f}, {0.50f, 0.44f}, {0.54f, 0.48f}, {0.54f, 0.52f},
+    {0.48f, 0.56f},    {0.48f, 0.56f}, {0.44f, 0.58f}, {0.44f, 1.2f},  {0.435f, 1.8f}, {0.43f, 2.4f},  {0.42f, 3.0f},
+    {0.41f, 3.5f},     {0.41f, 3.5f},  {0.46f, 3.53f}, {0.46f, 3.58f}, {0.41f, 3.61f}, {0.41f, 3.61f}, {0.42f, 3.8f},
+    {0.47f, 3.96f},    {0.56f, 4.08f}, {0.66f, 4.15f}, {0.66f, 4.15f}, {0.66f, 4.2f},  {0.60f, 4.2f},
 };
 
 // Leaves that curl out of the capital, in two rows.
@@ -120,10 +120,18 @@ void addColumn(Mesh& shafts, Mesh& capitals, const vec3& foot, float naveward) {
     const float radius = k == 0 ? 0.13f : 0.09f;
     const vec3 at = foot + vec3(naveward * (k == 0 ? 0.46f : 0.42f), kCapital, 0.19f * static_cast<float>(k));
     constexpr float kHeight = kSpring - kCapital;
-    const std::array<vec2, 12> profile = {vec2(1.7f * radius, 0.0f), {1.7f * radius, 0.12f}, {radius, 0.22f}, {radius, 0.22f},
-                                          {radius, 2.0f}, {radius, 3.3f}, {radius, kHeight - 0.4f}, {radius, kHeight - 0.4f},
-                                          {1.25f * radius, kHeight - 0.3f}, {1.9f * radius, kHeight - 0.12f},
-                                          {1.9f * radius, kHeight - 0.12f}, {1.9f * radius, kHeight}};
+    const std::array<vec2, 12> profile = {vec2(1.7f * radius, 0.0f),
+                                          {1.7f * radius, 0.12f},
+                                          {radius, 0.22f},
+                                          {radius, 0.22f},
+                                          {radius, 2.0f},
+                                          {radius, 3.3f},
+                                          {radius, kHeight - 0.4f},
+                                          {radius, kHeight - 0.4f},
+                                          {1.25f * radius, kHeight - 0.3f},
+                                          {1.9f * radius, kHeight - 0.12f},
+                                          {1.9f * radius, kHeight - 0.12f},
+                                          {1.9f * radius, kHeight}};
     addLathe(shafts, at, profile, 8);
   }
 }

@@ -139,22 +139,35 @@ void addTracery(Mesh& mesh, const WallBay& wall) {
   const auto post = [&](float s) { return wall.at(opening.middle, glm::mix(opening.bottom, head, s), depth); };
   addBar(mesh, {.curve = post, .thickness = thickness, .pieces = 3, .sections = 6});
   for (const float side : {-1.0f, 1.0f}) {
-    const Opening light{.middle = opening.middle + 0.5f * side * opening.halfWidth, .halfWidth = 0.5f * opening.halfWidth,
-                        .bottom = opening.bottom, .spring = head, .rise = 0.55f};
+    const Opening light{.middle = opening.middle + 0.5f * side * opening.halfWidth,
+                        .halfWidth = 0.5f * opening.halfWidth,
+                        .bottom = opening.bottom,
+                        .spring = head,
+                        .rise = 0.55f};
     const auto arch = [&](float s) {
       const float u = acrossOpening(light, s);
       return wall.at(u, light.top(u), depth);
     };
     addBar(mesh, {.curve = arch, .thickness = thickness, .pieces = 10, .sections = 5});
   }
-  addRing(mesh, {.centre = wall.at(opening.middle, opening.spring + 0.68f, depth), .axis = wall.inward, .radius = 0.3f,
-                 .thickness = thickness, .sides = 20, .sections = 5});
+  addRing(mesh, {.centre = wall.at(opening.middle, opening.spring + 0.68f, depth),
+                 .axis = wall.inward,
+                 .radius = 0.3f,
+                 .thickness = thickness,
+                 .sides = 20,
+                 .sections = 5});
 }
 
 // The bay's arcade wall, clerestory or outer wall; side -1 or +1 says on which side of the nave.
 WallBay arcadeBay(uint32_t bay, float side) {
-  return {.origin = {side * (kNave - kArcadeHalf), 0.0f, bayStart(bay)}, .along = {0.0f, 0.0f, -1.0f}, .inward = {-side, 0.0f, 0.0f},
-          .bottom = kCapital, .top = kString, .thickness = 2.0f * kArcadeHalf, .opening = kArcadeArch, .archPieces = 20};
+  return {.origin = {side * (kNave - kArcadeHalf), 0.0f, bayStart(bay)},
+          .along = {0.0f, 0.0f, -1.0f},
+          .inward = {-side, 0.0f, 0.0f},
+          .bottom = kCapital,
+          .top = kString,
+          .thickness = 2.0f * kArcadeHalf,
+          .opening = kArcadeArch,
+          .archPieces = 20};
 }
 
 WallBay clerestoryBay(uint32_t bay, float side) {
@@ -181,8 +194,13 @@ void forEachBay(const Visit& visit) {
 // Three tall windows below the rose, in a wall of a third of the nave's width each.
 WallBay lancetBay(uint32_t index) {
   constexpr float kLength = 2.0f * kNave / 3.0f;
-  return {.origin = {-kNave + kLength * static_cast<float>(index), 0.0f, -kEnd}, .along = {1.0f, 0.0f, 0.0f}, .inward = {0.0f, 0.0f, 1.0f},
-          .length = kLength, .bottom = 0.0f, .top = 6.6f, .thickness = 0.5f,
+  return {.origin = {-kNave + kLength * static_cast<float>(index), 0.0f, -kEnd},
+          .along = {1.0f, 0.0f, 0.0f},
+          .inward = {0.0f, 0.0f, 1.0f},
+          .length = kLength,
+          .bottom = 0.0f,
+          .top = 6.6f,
+          .thickness = 0.5f,
           .opening = {.middle = 0.5f * kLength, .halfWidth = 0.7f, .bottom = 1.9f, .spring = index == 1 ? 4.7f : 4.3f, .rise = 1.3f}};
 }
 
@@ -217,8 +235,12 @@ void addRoseTracery(Mesh& mesh) {
     const vec3 direction(std::cos(angle), std::sin(angle), 0.0f), half(std::cos(between), std::sin(between), 0.0f);
     const auto spoke = [&](float s) { return middle + kRoseRadius * glm::mix(0.15f, 0.78f, s) * direction; };
     addBar(mesh, {.curve = spoke, .thickness = 0.045f, .pieces = 4, .sections = 6});
-    addRing(mesh, {.centre = middle + 0.8f * kRoseRadius * half, .axis = axis, .radius = 0.19f * kRoseRadius, .thickness = 0.05f,
-                   .sides = 24, .sections = 5});
+    addRing(mesh, {.centre = middle + 0.8f * kRoseRadius * half,
+                   .axis = axis,
+                   .radius = 0.19f * kRoseRadius,
+                   .thickness = 0.05f,
+                   .sides = 24,
+                   .sections = 5});
   }
 }
 

@@ -43,10 +43,10 @@ uint32_t addStill(Scene& scene, Mesh mesh) {
 // A floor from low to high at y = 0 and a wall at its far side (low z), `height` high. The wall is one quad, so that both its
 // triangles are in every cell along it and rays find it however they step; between smaller ones there would be holes.
 struct Studio {
-  vec2 low{-2.0f, -2.0f};   // x, z
+  vec2 low{-2.0f, -2.0f};  // x, z
   vec2 high{2.0f, 2.0f};
   float height = 2.0f;
-  uint32_t pieces = 8;      // of the floor, along x and z
+  uint32_t pieces = 8;  // of the floor, along x and z
   vec3 wall{0.62f, 0.64f, 0.68f};
 };
 
@@ -171,8 +171,13 @@ Scene makeAlphaLeaf() {
   addStill(scene, std::move(box));
 
   scene.images.push_back(makeLeafImage());
-  scene.materials.push_back({.name = "leaf", .roughness = 0.6f, .imageIndex = 0, .wrapU = WrapMode::clamp, .wrapV = WrapMode::clamp,
-                             .alphaMode = AlphaMode::mask, .doubleSided = true});
+  scene.materials.push_back({.name = "leaf",
+                             .roughness = 0.6f,
+                             .imageIndex = 0,
+                             .wrapU = WrapMode::clamp,
+                             .wrapV = WrapMode::clamp,
+                             .alphaMode = AlphaMode::mask,
+                             .doubleSided = true});
   const uint32_t leafMaterial = static_cast<uint32_t>(scene.materials.size() - 1);
   Mesh left = newMesh("left leaf", leafMaterial), right = newMesh("right leaf", leafMaterial);
   addPicture(left, {-0.85f, 0.0f, 0.35f}, {0.8f, 0.0f, 0.1f}, {0.0f, 0.85f, -0.15f});
@@ -192,8 +197,8 @@ const vec3 kDiagonalEye(-1.75f, 0.85f, 1.75f), kDiagonalTarget(0.1f, 0.06f, -0.1
 // A rank of upright blades across the view, one in each cell of a diagonal row. The cells (column, row) of a rank have the
 // same column - row, its depth; neighbours differ by (1, 1).
 struct BladeRank {
-  int32_t depth = 0;          // in half diagonals from the middle; even ranks have blades between those of odd ones
-  vec2 place{0.5f};           // of the blade's middle in its cell, in edges
+  int32_t depth = 0;  // in half diagonals from the middle; even ranks have blades between those of odd ones
+  vec2 place{0.5f};   // of the blade's middle in its cell, in edges
 };
 
 void addBladeRank(Mesh& mesh, const BladeRank& rank) {

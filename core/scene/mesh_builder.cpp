@@ -71,7 +71,8 @@ void addTriangle(Mesh& mesh, const MeshCorner& a, const MeshCorner& b, const Mes
 
 void addQuad(Mesh& mesh, const vec3& corner, const vec3& edgeS, const vec3& edgeT, uint32_t columns, uint32_t rows) {
   const PatchShape shape{.columns = columns, .rows = rows, .uvScale = {glm::length(edgeS), glm::length(edgeT)}};
-  addPatch(mesh, [&](float s, float t) { return corner + s * edgeS + t * edgeT; }, shape);
+  addPatch(
+      mesh, [&](float s, float t) { return corner + s * edgeS + t * edgeT; }, shape);
 }
 
 void addPicture(Mesh& mesh, const vec3& corner, const vec3& edgeS, const vec3& edgeT) {
@@ -148,11 +149,9 @@ void addRing(Mesh& mesh, const Ring& ring) {
   const Surface surface = [&](float s, float t) {
     const float around = 2.0f * kPi * s, section = 2.0f * kPi * t;
     const vec3 outward = std::cos(around) * first + std::sin(around) * second;
-    return ring.centre + ring.radius * outward +
-           ring.thickness * (std::cos(section) * outward + std::sin(section) * ring.axis);
+    return ring.centre + ring.radius * outward + ring.thickness * (std::cos(section) * outward + std::sin(section) * ring.axis);
   };
-  addPatch(mesh, surface,
-           {.columns = ring.sides, .rows = ring.sections, .uvScale = 2.0f * kPi * vec2(ring.radius, ring.thickness)});
+  addPatch(mesh, surface, {.columns = ring.sides, .rows = ring.sections, .uvScale = 2.0f * kPi * vec2(ring.radius, ring.thickness)});
 }
 
 void addBar(Mesh& mesh, const Bar& bar) {

@@ -24,9 +24,9 @@ using Surface = std::function<vec3(float s, float t)>;
 
 // How a surface is cut into cells and how far its texture coordinates run.
 struct PatchShape {
-  uint32_t columns = 1;       // along s
-  uint32_t rows = 1;          // along t
-  vec2 uvScale{1.0f};         // uv = (s, t) * uvScale
+  uint32_t columns = 1;  // along s
+  uint32_t rows = 1;     // along t
+  vec2 uvScale{1.0f};    // uv = (s, t) * uvScale
 };
 
 Mesh newMesh(std::string name, uint32_t materialIndex);
@@ -68,9 +68,9 @@ void addRing(Mesh& mesh, const Ring& ring);
 // A round bar along a curve over [0, 1], without caps.
 struct Bar {
   std::function<vec3(float)> curve;
-  float thickness = 0.1f;       // radius of the section
-  uint32_t pieces = 8;          // along the curve
-  uint32_t sections = 6;        // around it
+  float thickness = 0.1f;  // radius of the section
+  uint32_t pieces = 8;     // along the curve
+  uint32_t sections = 6;   // around it
 };
 void addBar(Mesh& mesh, const Bar& bar);
 

@@ -25,7 +25,7 @@ struct Piece {
 // A mesh's triangles in the order in which they are numbered, and where it is cut.
 struct MeshOrder {
   std::vector<uint32_t> triangles;
-  std::vector<double> areas;          // by falling area only: of each entry of `triangles`
+  std::vector<double> areas;  // by falling area only: of each entry of `triangles`
   std::vector<Piece> pieces;
   uint32_t firstObjectTriangle = 0;
 };
@@ -37,9 +37,7 @@ struct Placement {
   double meanArea = 0.0;  // world space, of its triangles
 };
 
-double triangleArea(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
-  return 0.5 * glm::length(glm::cross(b - a, c - a));
-}
+double triangleArea(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) { return 0.5 * glm::length(glm::cross(b - a, c - a)); }
 
 double triangleArea(const Mesh& mesh, uint32_t triangle, const glm::dmat4& toWorld) {
   std::array<glm::dvec3, 3> corners;
@@ -48,9 +46,7 @@ double triangleArea(const Mesh& mesh, uint32_t triangle, const glm::dmat4& toWor
 }
 
 // Class of an area: its power of 4^coarseness. Areas near zero share the lowest class.
-int areaClass(double area, int coarseness) {
-  return static_cast<int>(std::floor(std::log2(std::max(area, 1e-30)) / (2.0 * coarseness)));
-}
+int areaClass(double area, int coarseness) { return static_cast<int>(std::floor(std::log2(std::max(area, 1e-30)) / (2.0 * coarseness))); }
 
 MeshOrder orderMesh(const Mesh& mesh, NumberBy by) {
   MeshOrder order;
@@ -97,8 +93,9 @@ std::vector<MeshOrder> orderMeshes(const Scene& scene, NumberBy by) {
     for (MeshOrder& order : orders) cutMesh(order, coarseness);
     if (countInstances(scene, orders) <= kMostInstances) return orders;
   }
-  throw Error("the scene needs " + std::to_string(countInstances(scene, orders)) + " instances of at most 65,536 triangles; a reference can name " +
-              std::to_string(kMostInstances) + ": join small meshes, or leave some out");
+  throw Error("the scene needs " + std::to_string(countInstances(scene, orders)) +
+              " instances of at most 65,536 triangles; a reference can name " + std::to_string(kMostInstances) +
+              ": join small meshes, or leave some out");
 }
 
 mat4 worldMatrix(const Scene& scene, const SceneInstance& instance, const std::vector<mat4>& nodes) {
@@ -106,7 +103,8 @@ mat4 worldMatrix(const Scene& scene, const SceneInstance& instance, const std::v
   for (int column = 0; column < 4; ++column)
     for (int row = 0; row < 3; ++row)
       if (!std::isfinite(matrix[column][row]))
-        throw Error("the transform of '" + instance.name + "' (" + scene.meshes[instance.mesh].name + ") is not finite; correct its node's transform or animation");
+        throw Error("the transform of '" + instance.name + "' (" + scene.meshes[instance.mesh].name +
+                    ") is not finite; correct its node's transform or animation");
   return matrix;
 }
 
@@ -126,7 +124,8 @@ double meanWorldArea(const Mesh& mesh, const MeshOrder& order, Piece piece, cons
 }
 
 // All pieces of all instances: static before dynamic, then in the file's order or by falling area.
-std::vector<Placement> orderPlacements(const Scene& scene, const std::vector<MeshOrder>& orders, const std::vector<mat4>& nodes, NumberBy by) {
+std::vector<Placement> orderPlacements(const Scene& scene, const std::vector<MeshOrder>& orders, const std::vector<mat4>& nodes,
+                                       NumberBy by) {
   std::vector<Placement> placements;
   for (uint32_t i = 0; i < scene.instances.size(); ++i) {
     const SceneInstance& instance = scene.instances[i];
@@ -256,7 +255,8 @@ NumberedScene numberScene(const Scene& scene, NumberBy order) {
   uint64_t triangleCount = 0;
   for (const SceneInstance& instance : scene.instances) triangleCount += scene.meshes[instance.mesh].triangleCount();
   if (triangleCount > kMostTriangles)
-    throw Error("the scene places " + std::to_string(triangleCount) + " triangles; at most " + std::to_string(kMostTriangles) + " are supported: leave some instances out");
+    throw Error("the scene places " + std::to_string(triangleCount) + " triangles; at most " + std::to_string(kMostTriangles) +
+                " are supported: leave some instances out");
   const std::vector<Placement> placements = orderPlacements(scene, orders, nodes, order);
 
   // Object space, once a mesh.

@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
-#include "core/scene/scene.h"
 #include "core/grid/settings.h"
+#include "core/scene/scene.h"
 #include "shaders/shared/pipeline/parameters.h"
 
 namespace gridscope {
@@ -17,23 +17,23 @@ inline constexpr uint32_t kMostInstances = 65535;  // one fewer than 16 bits hol
 
 // Where an instance of the grid comes from.
 struct InstanceSource {
-  uint32_t sceneInstance;   // into Scene::instances
-  uint32_t mesh;            // into Scene::meshes
-  uint32_t firstTriangle;   // of its piece in `objectTriangles`
+  uint32_t sceneInstance;  // into Scene::instances
+  uint32_t mesh;           // into Scene::meshes
+  uint32_t firstTriangle;  // of its piece in `objectTriangles`
 };
 
 // The scene as the stages see it. Instances [0, staticInstanceCount) are static.
 struct NumberedScene {
-  std::vector<Triangle> objectTriangles;   // every piece once, object space
-  std::vector<Corner> corners;             // 3 for each object triangle
-  std::vector<uint32_t> meshTriangles;     // for each object triangle: its number in its mesh, the file's order
-  std::vector<Instance> instances;         // transforms as of the last setTransforms()
-  std::vector<InstanceSource> sources;     // one for each instance
+  std::vector<Triangle> objectTriangles;  // every piece once, object space
+  std::vector<Corner> corners;            // 3 for each object triangle
+  std::vector<uint32_t> meshTriangles;    // for each object triangle: its number in its mesh, the file's order
+  std::vector<Instance> instances;        // transforms as of the last setTransforms()
+  std::vector<InstanceSource> sources;    // one for each instance
   std::vector<TraceMaterial> materials;
-  std::vector<uint32_t> alphaBytes;        // alpha maps at their own size, 4 bytes a word, lowest first
+  std::vector<uint32_t> alphaBytes;  // alpha maps at their own size, 4 bytes a word, lowest first
   uint32_t staticInstanceCount = 0;
-  uint32_t staticTriangleCount = 0;        // world triangles of the static instances; they come first
-  uint32_t triangleCount = 0;              // world triangles of all instances
+  uint32_t staticTriangleCount = 0;  // world triangles of the static instances; they come first
+  uint32_t triangleCount = 0;        // world triangles of all instances
 
   uint32_t instanceCount() const { return static_cast<uint32_t>(instances.size()); }
   uint32_t dynamicInstanceCount() const { return instanceCount() - staticInstanceCount; }

@@ -165,7 +165,7 @@ Bounds dynamicBounds(const Scene& scene) {
     for (const SceneInstance& instance : scene.instances) {
       if (!instance.dynamic) continue;
       const auto& positions = scene.meshes[instance.mesh].positions;
-      if (positions.empty()) continue;   // has no box
+      if (positions.empty()) continue;  // has no box
       auto& box = corners[instance.mesh];
       if (!exact && box.empty()) box = cornersOf(positions);
       includeVertices(bounds, exact ? positions : box, transforms[instance.node] * instance.local);
@@ -180,8 +180,12 @@ std::vector<mat4> nodeTransforms(const Scene& scene, float timeSeconds) {
   std::vector<Node> nodes;
   nodes.reserve(scene.nodes.size());
   for (const Node& node : scene.nodes) {
-    nodes.push_back({.name = {}, .parent = node.parent, .translation = node.translation, .rotation = node.rotation,
-                     .scale = node.scale, .matrix = node.matrix});
+    nodes.push_back({.name = {},
+                     .parent = node.parent,
+                     .translation = node.translation,
+                     .rotation = node.rotation,
+                     .scale = node.scale,
+                     .matrix = node.matrix});
   }
   for (const Animation& animation : scene.animations) {
     const float time = timeInLoop(animation, timeSeconds);

@@ -33,37 +33,37 @@ enum class AlphaMode : uint32_t { opaque = 0, mask = 1, blend = 2 };  // blend i
 
 struct Material {
   std::string name;
-  vec4 baseColour{1.0f};      // linear, multiplies image and vertex colour; a: opacity
-  float metallic = 0.0f;      // 0..1
-  float roughness = 0.5f;     // perceptual, 0..1
-  int32_t imageIndex = -1;    // into Scene::images; -1: none
+  vec4 baseColour{1.0f};    // linear, multiplies image and vertex colour; a: opacity
+  float metallic = 0.0f;    // 0..1
+  float roughness = 0.5f;   // perceptual, 0..1
+  int32_t imageIndex = -1;  // into Scene::images; -1: none
   WrapMode wrapU = WrapMode::repeat;
   WrapMode wrapV = WrapMode::repeat;
   AlphaMode alphaMode = AlphaMode::opaque;
-  float alphaCutoff = 0.5f;   // for mask
-  bool doubleSided = false;   // shading only: the trace never culls
+  float alphaCutoff = 0.5f;  // for mask
+  bool doubleSided = false;  // shading only: the trace never culls
   bool unlit = false;
 };
 
 // One primitive: a plain list of triangles, three corners each; triangle k has corners 3k, 3k+1, 3k+2, in the file's order.
 struct Mesh {
-  std::string name;              // the file's mesh name, with the material's when a mesh has several primitives
+  std::string name;  // the file's mesh name, with the material's when a mesh has several primitives
   uint32_t materialIndex = 0;
-  std::vector<vec3> positions;   // object space; size 3 * triangleCount()
-  std::vector<vec3> normals;     // unit, same size as positions (made when the file has none)
-  std::vector<vec2> uvs;         // same size as positions, texture transform applied; or empty: all (0, 0)
-  std::vector<vec4> colours;     // linear, same size as positions; or empty: all white
+  std::vector<vec3> positions;  // object space; size 3 * triangleCount()
+  std::vector<vec3> normals;    // unit, same size as positions (made when the file has none)
+  std::vector<vec2> uvs;        // same size as positions, texture transform applied; or empty: all (0, 0)
+  std::vector<vec4> colours;    // linear, same size as positions; or empty: all white
   uint32_t triangleCount() const { return static_cast<uint32_t>(positions.size() / 3); }
 };
 
 // A node of the transform tree. Parents come before their children. local = translation * rotation * scale, then * matrix.
 struct Node {
   std::string name;
-  int32_t parent = -1;           // -1: a root
+  int32_t parent = -1;  // -1: a root
   vec3 translation{0.0f};
   quat rotation{1.0f, 0.0f, 0.0f, 0.0f};  // w, x, y, z; unit
   vec3 scale{1.0f};
-  mat4 matrix{1.0f};             // for files that give a matrix instead; never animated
+  mat4 matrix{1.0f};  // for files that give a matrix instead; never animated
 };
 
 enum class ChannelPath { translation, rotation, scale };
@@ -75,24 +75,24 @@ struct Channel {
   uint32_t node = 0;
   ChannelPath path = ChannelPath::translation;
   Interpolation interpolation = Interpolation::linear;
-  std::vector<float> times;      // seconds
+  std::vector<float> times;  // seconds
   std::vector<vec4> values;
 };
 
 // All animations of a scene play at once; each repeats after its duration.
 struct Animation {
   std::string name;
-  float duration = 0.0f;         // seconds, the last key of all channels
+  float duration = 0.0f;  // seconds, the last key of all channels
   std::vector<Channel> channels;
 };
 
 // A mesh placed in the world: what a person sees as one thing. Becomes one instance of the grid, or several (numbering.h).
 struct SceneInstance {
-  std::string name;              // the node's name
+  std::string name;  // the node's name
   uint32_t node = 0;
   uint32_t mesh = 0;
-  mat4 local{1.0f};              // applied before the node's transform (EXT_mesh_gpu_instancing)
-  bool dynamic = false;          // its references are cleared and added again each frame; true when an animation can move it
+  mat4 local{1.0f};      // applied before the node's transform (EXT_mesh_gpu_instancing)
+  bool dynamic = false;  // its references are cleared and added again each frame; true when an animation can move it
 };
 
 struct CameraPose {
@@ -104,15 +104,15 @@ struct CameraPose {
 };
 
 struct Scene {
-  std::string name;              // file name or built-in name
+  std::string name;  // file name or built-in name
   std::vector<Image> images;
-  std::vector<Material> materials;   // at least one
+  std::vector<Material> materials;  // at least one
   std::vector<Mesh> meshes;
   std::vector<Node> nodes;
   std::vector<Animation> animations;
   std::vector<SceneInstance> instances;
-  std::vector<CameraPose> cameras;   // at time 0, world space; the first is the default; may be empty
-  std::vector<std::string> warnings; // one line per kind of thing that was left out or replaced
+  std::vector<CameraPose> cameras;    // at time 0, world space; the first is the default; may be empty
+  std::vector<std::string> warnings;  // one line per kind of thing that was left out or replaced
 };
 
 struct Bounds {

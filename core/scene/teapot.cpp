@@ -16,39 +16,132 @@ namespace {
 
 // Control points of Newell's own frame: z up, the spout along +x.
 constexpr std::array<std::array<float, 3>, 127> kPoints = {{
-    {0.2f, 0, 2.7f}, {0.2f, -0.112f, 2.7f}, {0.112f, -0.2f, 2.7f}, {0, -0.2f, 2.7f},
-    {1.3375f, 0, 2.53125f}, {1.3375f, -0.749f, 2.53125f}, {0.749f, -1.3375f, 2.53125f}, {0, -1.3375f, 2.53125f},
-    {1.4375f, 0, 2.53125f}, {1.4375f, -0.805f, 2.53125f}, {0.805f, -1.4375f, 2.53125f}, {0, -1.4375f, 2.53125f},
-    {1.5f, 0, 2.4f}, {1.5f, -0.84f, 2.4f}, {0.84f, -1.5f, 2.4f}, {0, -1.5f, 2.4f},
-    {1.75f, 0, 1.875f}, {1.75f, -0.98f, 1.875f}, {0.98f, -1.75f, 1.875f}, {0, -1.75f, 1.875f},
-    {2, 0, 1.35f}, {2, -1.12f, 1.35f}, {1.12f, -2, 1.35f}, {0, -2, 1.35f},
-    {2, 0, 0.9f}, {2, -1.12f, 0.9f}, {1.12f, -2, 0.9f}, {0, -2, 0.9f},
+    {0.2f, 0, 2.7f},
+    {0.2f, -0.112f, 2.7f},
+    {0.112f, -0.2f, 2.7f},
+    {0, -0.2f, 2.7f},
+    {1.3375f, 0, 2.53125f},
+    {1.3375f, -0.749f, 2.53125f},
+    {0.749f, -1.3375f, 2.53125f},
+    {0, -1.3375f, 2.53125f},
+    {1.4375f, 0, 2.53125f},
+    {1.4375f, -0.805f, 2.53125f},
+    {0.805f, -1.4375f, 2.53125f},
+    {0, -1.4375f, 2.53125f},
+    {1.5f, 0, 2.4f},
+    {1.5f, -0.84f, 2.4f},
+    {0.84f, -1.5f, 2.4f},
+    {0, -1.5f, 2.4f},
+    {1.75f, 0, 1.875f},
+    {1.75f, -0.98f, 1.875f},
+    {0.98f, -1.75f, 1.875f},
+    {0, -1.75f, 1.875f},
+    {2, 0, 1.35f},
+    {2, -1.12f, 1.35f},
+    {1.12f, -2, 1.35f},
+    {0, -2, 1.35f},
+    {2, 0, 0.9f},
+    {2, -1.12f, 0.9f},
+    {1.12f, -2, 0.9f},
+    {0, -2, 0.9f},
     {-2, 0, 0.9f},
-    {2, 0, 0.45f}, {2, -1.12f, 0.45f}, {1.12f, -2, 0.45f}, {0, -2, 0.45f},
-    {1.5f, 0, 0.225f}, {1.5f, -0.84f, 0.225f}, {0.84f, -1.5f, 0.225f}, {0, -1.5f, 0.225f},
-    {1.5f, 0, 0.15f}, {1.5f, -0.84f, 0.15f}, {0.84f, -1.5f, 0.15f}, {0, -1.5f, 0.15f},
-    {-1.6f, 0, 2.025f}, {-1.6f, -0.3f, 2.025f}, {-1.5f, -0.3f, 2.25f}, {-1.5f, 0, 2.25f},
-    {-2.3f, 0, 2.025f}, {-2.3f, -0.3f, 2.025f}, {-2.5f, -0.3f, 2.25f}, {-2.5f, 0, 2.25f},
-    {-2.7f, 0, 2.025f}, {-2.7f, -0.3f, 2.025f}, {-3, -0.3f, 2.25f}, {-3, 0, 2.25f},
-    {-2.7f, 0, 1.8f}, {-2.7f, -0.3f, 1.8f}, {-3, -0.3f, 1.8f}, {-3, 0, 1.8f},
-    {-2.7f, 0, 1.575f}, {-2.7f, -0.3f, 1.575f}, {-3, -0.3f, 1.35f}, {-3, 0, 1.35f},
-    {-2.5f, 0, 1.125f}, {-2.5f, -0.3f, 1.125f}, {-2.65f, -0.3f, 0.9375f}, {-2.65f, 0, 0.9375f},
-    {-2, -0.3f, 0.9f}, {-1.9f, -0.3f, 0.6f}, {-1.9f, 0, 0.6f},
-    {1.7f, 0, 1.425f}, {1.7f, -0.66f, 1.425f}, {1.7f, -0.66f, 0.6f}, {1.7f, 0, 0.6f},
-    {2.6f, 0, 1.425f}, {2.6f, -0.66f, 1.425f}, {3.1f, -0.66f, 0.825f}, {3.1f, 0, 0.825f},
-    {2.3f, 0, 2.1f}, {2.3f, -0.25f, 2.1f}, {2.4f, -0.25f, 2.025f}, {2.4f, 0, 2.025f},
-    {2.7f, 0, 2.4f}, {2.7f, -0.25f, 2.4f}, {3.3f, -0.25f, 2.4f}, {3.3f, 0, 2.4f},
-    {2.8f, 0, 2.475f}, {2.8f, -0.25f, 2.475f}, {3.525f, -0.25f, 2.49375f}, {3.525f, 0, 2.49375f},
-    {2.9f, 0, 2.475f}, {2.9f, -0.15f, 2.475f}, {3.45f, -0.15f, 2.5125f}, {3.45f, 0, 2.5125f},
-    {2.8f, 0, 2.4f}, {2.8f, -0.15f, 2.4f}, {3.2f, -0.15f, 2.4f}, {3.2f, 0, 2.4f},
-    {0, 0, 3.15f}, {0.8f, 0, 3.15f}, {0.8f, -0.45f, 3.15f}, {0.45f, -0.8f, 3.15f},
-    {0, -0.8f, 3.15f}, {0, 0, 2.85f},
-    {1.4f, 0, 2.4f}, {1.4f, -0.784f, 2.4f}, {0.784f, -1.4f, 2.4f}, {0, -1.4f, 2.4f},
-    {0.4f, 0, 2.55f}, {0.4f, -0.224f, 2.55f}, {0.224f, -0.4f, 2.55f}, {0, -0.4f, 2.55f},
-    {1.3f, 0, 2.55f}, {1.3f, -0.728f, 2.55f}, {0.728f, -1.3f, 2.55f}, {0, -1.3f, 2.55f},
-    {1.3f, 0, 2.4f}, {1.3f, -0.728f, 2.4f}, {0.728f, -1.3f, 2.4f}, {0, -1.3f, 2.4f},
-    {0, 0, 0}, {1.425f, -0.798f, 0}, {1.5f, 0, 0.075f}, {1.425f, 0, 0},
-    {0.798f, -1.425f, 0}, {0, -1.5f, 0.075f}, {0, -1.425f, 0}, {1.5f, -0.84f, 0.075f},
+    {2, 0, 0.45f},
+    {2, -1.12f, 0.45f},
+    {1.12f, -2, 0.45f},
+    {0, -2, 0.45f},
+    {1.5f, 0, 0.225f},
+    {1.5f, -0.84f, 0.225f},
+    {0.84f, -1.5f, 0.225f},
+    {0, -1.5f, 0.225f},
+    {1.5f, 0, 0.15f},
+    {1.5f, -0.84f, 0.15f},
+    {0.84f, -1.5f, 0.15f},
+    {0, -1.5f, 0.15f},
+    {-1.6f, 0, 2.025f},
+    {-1.6f, -0.3f, 2.025f},
+    {-1.5f, -0.3f, 2.25f},
+    {-1.5f, 0, 2.25f},
+    {-2.3f, 0, 2.025f},
+    {-2.3f, -0.3f, 2.025f},
+    {-2.5f, -0.3f, 2.25f},
+    {-2.5f, 0, 2.25f},
+    {-2.7f, 0, 2.025f},
+    {-2.7f, -0.3f, 2.025f},
+    {-3, -0.3f, 2.25f},
+    {-3, 0, 2.25f},
+    {-2.7f, 0, 1.8f},
+    {-2.7f, -0.3f, 1.8f},
+    {-3, -0.3f, 1.8f},
+    {-3, 0, 1.8f},
+    {-2.7f, 0, 1.575f},
+    {-2.7f, -0.3f, 1.575f},
+    {-3, -0.3f, 1.35f},
+    {-3, 0, 1.35f},
+    {-2.5f, 0, 1.125f},
+    {-2.5f, -0.3f, 1.125f},
+    {-2.65f, -0.3f, 0.9375f},
+    {-2.65f, 0, 0.9375f},
+    {-2, -0.3f, 0.9f},
+    {-1.9f, -0.3f, 0.6f},
+    {-1.9f, 0, 0.6f},
+    {1.7f, 0, 1.425f},
+    {1.7f, -0.66f, 1.425f},
+    {1.7f, -0.66f, 0.6f},
+    {1.7f, 0, 0.6f},
+    {2.6f, 0, 1.425f},
+    {2.6f, -0.66f, 1.425f},
+    {3.1f, -0.66f, 0.825f},
+    {3.1f, 0, 0.825f},
+    {2.3f, 0, 2.1f},
+    {2.3f, -0.25f, 2.1f},
+    {2.4f, -0.25f, 2.025f},
+    {2.4f, 0, 2.025f},
+    {2.7f, 0, 2.4f},
+    {2.7f, -0.25f, 2.4f},
+    {3.3f, -0.25f, 2.4f},
+    {3.3f, 0, 2.4f},
+    {2.8f, 0, 2.475f},
+    {2.8f, -0.25f, 2.475f},
+    {3.525f, -0.25f, 2.49375f},
+    {3.525f, 0, 2.49375f},
+    {2.9f, 0, 2.475f},
+    {2.9f, -0.15f, 2.475f},
+    {3.45f, -0.15f, 2.5125f},
+    {3.45f, 0, 2.5125f},
+    {2.8f, 0, 2.4f},
+    {2.8f, -0.15f, 2.4f},
+    {3.2f, -0.15f, 2.4f},
+    {3.2f, 0, 2.4f},
+    {0, 0, 3.15f},
+    {0.8f, 0, 3.15f},
+    {0.8f, -0.45f, 3.15f},
+    {0.45f, -0.8f, 3.15f},
+    {0, -0.8f, 3.15f},
+    {0, 0, 2.85f},
+    {1.4f, 0, 2.4f},
+    {1.4f, -0.784f, 2.4f},
+    {0.784f, -1.4f, 2.4f},
+    {0, -1.4f, 2.4f},
+    {0.4f, 0, 2.55f},
+    {0.4f, -0.224f, 2.55f},
+    {0.224f, -0.4f, 2.55f},
+    {0, -0.4f, 2.55f},
+    {1.3f, 0, 2.55f},
+    {1.3f, -0.728f, 2.55f},
+    {0.728f, -1.3f, 2.55f},
+    {0, -1.3f, 2.55f},
+    {1.3f, 0, 2.4f},
+    {1.3f, -0.728f, 2.4f},
+    {0.728f, -1.3f, 2.4f},
+    {0, -1.3f, 2.4f},
+    {0, 0, 0},
+    {1.425f, -0.798f, 0},
+    {1.5f, 0, 0.075f},
+    {1.425f, 0, 0},
+    {0.798f, -1.425f, 0},
+    {0, -1.5f, 0.075f},
+    {0, -1.425f, 0},
+    {1.5f, -0.84f, 0.075f},
     {0.84f, -1.5f, 0.075f},
 }};
 
@@ -59,16 +152,16 @@ struct TeapotPatch {
 };
 
 constexpr std::array<TeapotPatch, 10> kPatches = {{
-    {true, {102, 103, 104, 105, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15}},                  // rim
-    {true, {12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27}},                // upper body
-    {true, {24, 25, 26, 27, 29, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39, 40}},                // lower body
-    {true, {96, 96, 96, 96, 97, 98, 99, 100, 101, 101, 101, 101, 0, 1, 2, 3}},               // knob
-    {true, {0, 1, 2, 3, 106, 107, 108, 109, 110, 111, 112, 113, 114, 115, 116, 117}},        // lid
-    {true, {118, 118, 118, 118, 124, 122, 119, 121, 123, 126, 125, 120, 40, 39, 38, 37}},    // bottom
-    {false, {41, 42, 43, 44, 45, 46, 47, 48, 49, 50, 51, 52, 53, 54, 55, 56}},               // handle, upper half
-    {false, {53, 54, 55, 56, 57, 58, 59, 60, 61, 62, 63, 64, 28, 65, 66, 67}},               // handle, lower half
-    {false, {68, 69, 70, 71, 72, 73, 74, 75, 76, 77, 78, 79, 80, 81, 82, 83}},               // spout
-    {false, {80, 81, 82, 83, 84, 85, 86, 87, 88, 89, 90, 91, 92, 93, 94, 95}},               // spout, tip
+    {true, {102, 103, 104, 105, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15}},                // rim
+    {true, {12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27}},              // upper body
+    {true, {24, 25, 26, 27, 29, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39, 40}},              // lower body
+    {true, {96, 96, 96, 96, 97, 98, 99, 100, 101, 101, 101, 101, 0, 1, 2, 3}},             // knob
+    {true, {0, 1, 2, 3, 106, 107, 108, 109, 110, 111, 112, 113, 114, 115, 116, 117}},      // lid
+    {true, {118, 118, 118, 118, 124, 122, 119, 121, 123, 126, 125, 120, 40, 39, 38, 37}},  // bottom
+    {false, {41, 42, 43, 44, 45, 46, 47, 48, 49, 50, 51, 52, 53, 54, 55, 56}},             // handle, upper half
+    {false, {53, 54, 55, 56, 57, 58, 59, 60, 61, 62, 63, 64, 28, 65, 66, 67}},             // handle, lower half
+    {false, {68, 69, 70, 71, 72, 73, 74, 75, 76, 77, 78, 79, 80, 81, 82, 83}},             // spout
+    {false, {80, 81, 82, 83, 84, 85, 86, 87, 88, 89, 90, 91, 92, 93, 94, 95}},             // spout, tip
 }};
 
 std::array<float, 4> bernstein(float t) {
@@ -109,9 +202,7 @@ MeshCorner evaluate(const TeapotPatch& patch, float u, float v) {
 }
 
 // From Newell's frame to ours (y up), mirrored in the planes of the handle (y) and across it (x).
-vec3 placed(const vec3& point, bool mirrorX, bool mirrorY) {
-  return {mirrorX ? -point.x : point.x, point.z, mirrorY ? point.y : -point.y};
-}
+vec3 placed(const vec3& point, bool mirrorX, bool mirrorY) { return {mirrorX ? -point.x : point.x, point.z, mirrorY ? point.y : -point.y}; }
 
 void addTeapotPatch(Mesh& mesh, const TeapotPatch& patch, uint32_t subdivisions, bool mirrorX, bool mirrorY) {
   std::vector<MeshCorner> corners;
@@ -217,8 +308,7 @@ vec3 viewDirection(const CameraPose& camera, float x, float y) {
 }
 
 // Where the k-th of `count` teapots goes: one after the other into the depth of the picture, left, right and middle in turn.
-TeapotPath placeTeapot(const Room& room, const CameraPose& camera, const Bounds& bounds, float length, float depthShare,
-                       uint32_t index) {
+TeapotPath placeTeapot(const Room& room, const CameraPose& camera, const Bounds& bounds, float length, float depthShare, uint32_t index) {
   constexpr std::array kSides = {-0.55f, 0.6f, 0.05f};
   const vec3 direction = viewDirection(camera, kSides[index % 3], -0.12f - 0.1f * hashUnit(index, 3));
 
@@ -251,16 +341,12 @@ TeapotPath placeTeapot(const Room& room, const CameraPose& camera, const Bounds&
 void addTeapot(Scene& scene, const TeapotPath& path) {
   const uint32_t node = static_cast<uint32_t>(scene.nodes.size());
   const std::string name = "teapot " + std::to_string(scene.instances.size());
-  scene.materials.push_back(
-      {.name = name, .baseColour = path.baseColour, .metallic = path.metallic, .roughness = 0.12f});
+  scene.materials.push_back({.name = name, .baseColour = path.baseColour, .metallic = path.metallic, .roughness = 0.12f});
   scene.meshes.push_back(makeTeapot(kTeapotSubdivisions, static_cast<uint32_t>(scene.materials.size() - 1)));
   scene.meshes.back().name = name;
-  scene.nodes.push_back({.name = name,
-                         .translation = pathPoint(path, 0.0f),
-                         .rotation = pathTurn(path, 0.0f),
-                         .scale = vec3(path.length / kTeapotLength)});
-  scene.instances.push_back(
-      {.name = name, .node = node, .mesh = static_cast<uint32_t>(scene.meshes.size() - 1), .dynamic = true});
+  scene.nodes.push_back(
+      {.name = name, .translation = pathPoint(path, 0.0f), .rotation = pathTurn(path, 0.0f), .scale = vec3(path.length / kTeapotLength)});
+  scene.instances.push_back({.name = name, .node = node, .mesh = static_cast<uint32_t>(scene.meshes.size() - 1), .dynamic = true});
   if (path.periodSeconds > 0.0f) scene.animations.push_back(makeRound(path, node, name));
 }
 

@@ -16,12 +16,12 @@ Mesh makeTeapot(uint32_t subdivisions, uint32_t materialIndex);
 
 // A teapot's place: it circles about `centre` and turns once each period while it bobs up and down.
 struct TeapotPath {
-  vec3 centre{0.0f};            // middle of the circle, at the height of the teapot's foot
-  float length = 1.0f;          // of the teapot from spout to handle, metres
-  float radius = 1.0f;          // of the circle
-  float bob = 0.0f;             // highest deviation from the centre's height
-  float periodSeconds = 8.0f;   // 0: at rest
-  float startTurn = 0.0f;       // place on the circle at time 0, in turns
+  vec3 centre{0.0f};           // middle of the circle, at the height of the teapot's foot
+  float length = 1.0f;         // of the teapot from spout to handle, metres
+  float radius = 1.0f;         // of the circle
+  float bob = 0.0f;            // highest deviation from the centre's height
+  float periodSeconds = 8.0f;  // 0: at rest
+  float startTurn = 0.0f;      // place on the circle at time 0, in turns
   vec4 baseColour{1.0f};
   float metallic = 0.0f;
 };

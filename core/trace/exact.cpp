@@ -50,17 +50,17 @@ struct ExactReference::Parts {
   // Built when the first ray asks for it.
   struct Hierarchy {
     const Parts* parts = nullptr;
-    float padding = 0.0f;             // of boxes, world units
+    float padding = 0.0f;  // of boxes, world units
     std::once_flag built;
     RTCScene scene = nullptr;
   };
 
   TraceInput input;
-  mutable ExactTrace loads;           // holds nothing that a ray changes
-  std::vector<uint32_t> references;   // of the primitives, rising
-  std::vector<uint32_t> triangles;    // their world triangles
-  float largest = 0.0f;               // coordinate of any of them
-  float extent = 0.0f;                // of the scene, its longest side
+  mutable ExactTrace loads;          // holds nothing that a ray changes
+  std::vector<uint32_t> references;  // of the primitives, rising
+  std::vector<uint32_t> triangles;   // their world triangles
+  float largest = 0.0f;              // coordinate of any of them
+  float extent = 0.0f;               // of the scene, its longest side
   RTCDevice device = nullptr;
   mutable std::array<Hierarchy, kMostHierarchies> hierarchies;
 
@@ -148,10 +148,13 @@ void ExactReference::Parts::build(Hierarchy& hierarchy) const {
   RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_USER);
   rtcSetGeometryUserPrimitiveCount(geometry, unsigned(references.size()));
   rtcSetGeometryUserData(geometry, &hierarchy);
-  rtcSetGeometryBoundsFunction(geometry, [](const RTCBoundsFunctionArguments* arguments) {
-    const Hierarchy& asked = *static_cast<const Hierarchy*>(arguments->geometryUserPtr);
-    asked.parts->bound(arguments->primID, asked.padding, *arguments->bounds_o);
-  }, nullptr);
+  rtcSetGeometryBoundsFunction(
+      geometry,
+      [](const RTCBoundsFunctionArguments* arguments) {
+        const Hierarchy& asked = *static_cast<const Hierarchy*>(arguments->geometryUserPtr);
+        asked.parts->bound(arguments->primID, asked.padding, *arguments->bounds_o);
+      },
+      nullptr);
   rtcSetGeometryIntersectFunction(geometry, [](const RTCIntersectFunctionNArguments* arguments) {
     Query& query = *reinterpret_cast<Query*>(arguments->context);
     static_cast<const Hierarchy*>(arguments->geometryUserPtr)->parts->offer(query, arguments->primID);

@@ -12,9 +12,11 @@ static std::vector<Invariant> testForeignGrid(const GridFacts& facts) {
   const std::string by = "the grid was built by " + facts.builtBy;
   std::vector<Invariant> invariants = testCells(facts.grid, facts.scene, nullptr);
   for (Invariant& invariant : invariants)
-    if (invariant.key == "staticFirst") invariant = {.key = invariant.key, .name = "static before dynamic", .whyNot = by + ": its order is its own"};
+    if (invariant.key == "staticFirst")
+      invariant = {.key = invariant.key, .name = "static before dynamic", .whyNot = by + ": its order is its own"};
   invariants.push_back({.key = "nothingStale", .name = "nothing stale", .whyNot = by + ": its overlap test is not known"});
-  invariants.push_back({.key = "placed", .name = "each triangle is where the overlap test puts it", .whyNot = by + ": its overlap test is not known"});
+  invariants.push_back(
+      {.key = "placed", .name = "each triangle is where the overlap test puts it", .whyNot = by + ": its overlap test is not known"});
   return invariants;
 }
 
@@ -28,7 +30,8 @@ std::vector<Invariant> testGrid(const GridFacts& facts) {
   return invariants;
 }
 
-std::vector<Invariant> testFrameHits(const NumberedScene& scene, const TraceParameters& trace, std::span<const Ray> rays, std::span<const Hit> hits) {
+std::vector<Invariant> testFrameHits(const NumberedScene& scene, const TraceParameters& trace, std::span<const Ray> rays,
+                                     std::span<const Hit> hits) {
   return {testEnds(rays, hits), testHits(scene, trace, hits)};
 }
 

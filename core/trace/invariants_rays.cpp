@@ -15,12 +15,14 @@ Invariant testEach(Invariant invariant, std::span<const Hit> hits, const char* t
   size_t first = hits.size();
   for (size_t i = 0; i < hits.size(); ++i)
     if (breaks(i)) first = std::min(first, i), ++invariant.count;
-  if (invariant.count > 0) invariant.fault = std::to_string(invariant.count) + " rays " + text + "; the first is ray " + std::to_string(first);
+  if (invariant.count > 0)
+    invariant.fault = std::to_string(invariant.count) + " rays " + text + "; the first is ray " + std::to_string(first);
   return invariant;
 }
 
 bool namesTriangle(const NumberedScene& scene, uint32_t reference) {
-  return referenceInstance(reference) < scene.instanceCount() && referenceTriangle(reference) < scene.instances[referenceInstance(reference)].triangleCount;
+  return referenceInstance(reference) < scene.instanceCount() &&
+         referenceTriangle(reference) < scene.instances[referenceInstance(reference)].triangleCount;
 }
 
 }  // namespace
@@ -35,12 +37,13 @@ Invariant testEnds(std::span<const Ray> rays, std::span<const Hit> hits) {
 }
 
 Invariant testHits(const NumberedScene& scene, const TraceParameters& trace, std::span<const Hit> hits) {
-  return testEach({.key = "hitsInRange", .name = "hits name triangles of the scene"}, hits, "hit no triangle of the scene, or out of reach", [&](size_t i) {
-    const Hit& hit = hits[i];
-    if (hit.kind != kHitTriangle && hit.kind != kHitVoxel) return false;
-    const float least = hit.kind == kHitTriangle ? trace.tMin : 0.0f;
-    return !namesTriangle(scene, hit.reference) || !std::isfinite(hit.t) || hit.t < least;
-  });
+  return testEach({.key = "hitsInRange", .name = "hits name triangles of the scene"}, hits, "hit no triangle of the scene, or out of reach",
+                  [&](size_t i) {
+                    const Hit& hit = hits[i];
+                    if (hit.kind != kHitTriangle && hit.kind != kHitVoxel) return false;
+                    const float least = hit.kind == kHitTriangle ? trace.tMin : 0.0f;
+                    return !namesTriangle(scene, hit.reference) || !std::isfinite(hit.t) || hit.t < least;
+                  });
 }
 
 Invariant testGridKept(const Grid& before, const Grid& after) {

@@ -1,6 +1,6 @@
 // The trace of one ray, step by step: the same traversal, with hooks that write down what happens.
-#include "core/trace/trace.h"
 #include "core/trace/loads.h"
+#include "core/trace/trace.h"
 
 namespace gridscope {
 

@@ -27,22 +27,22 @@ void traceRays(const TraceInput& input, std::span<const Ray> rays, std::span<Hit
 struct TestRecord {
   uint32_t slot;
   uint32_t reference;
-  uint32_t verdict;         // kTest...
-  float t;                  // where the ray passes through the triangle
-  uint32_t alphaByte;       // byte read by alpha keying; 256: not keyed or not asked
+  uint32_t verdict;    // kTest...
+  float t;             // where the ray passes through the triangle
+  uint32_t alphaByte;  // byte read by alpha keying; 256: not keyed or not asked
   bool operator==(const TestRecord&) const = default;
 };
 
 // One segment (dda: one cell) of a recorded ray.
 struct StepRecord {
   int32_t segment;
-  float start;              // along the ray, world units
+  float start;  // along the ray, world units
   ivec3 cell;
-  uint32_t outcome;         // kStep...
+  uint32_t outcome;  // kStep...
   std::vector<TestRecord> tests;
-  int32_t stored = 0;       // references read
+  int32_t stored = 0;  // references read
   bool saturated = false;
-  float travel = 0.0f;      // what the gate compares, world units
+  float travel = 0.0f;  // what the gate compares, world units
   bool operator==(const StepRecord&) const = default;
 };
 

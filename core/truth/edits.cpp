@@ -28,21 +28,21 @@ namespace {
 struct ShownCell {
   ivec3 cell;
   std::vector<uint32_t> references;
-  int stored;                          // references that the cell really holds
+  int stored;  // references that the cell really holds
 };
 
 // The removed events, by what they change.
 struct Edits {
   std::vector<ShownCell> shown;
-  std::vector<ivec3> unfilled;         // filled early
-  std::vector<ivec3> unaccepted;       // accepted early
-  std::vector<ivec3> opened;           // gate
-  std::vector<ivec3> widened;          // segment end
-  std::vector<ivec3> inserted;         // stepped over
-  std::vector<int32_t> unskipped;      // revisit: segments
-  std::vector<uint32_t> outside;       // references
-  std::vector<uint32_t> inverted;      // alpha: references
-  std::vector<uint32_t> otherTMin;     // self-hit: references
+  std::vector<ivec3> unfilled;      // filled early
+  std::vector<ivec3> unaccepted;    // accepted early
+  std::vector<ivec3> opened;        // gate
+  std::vector<ivec3> widened;       // segment end
+  std::vector<ivec3> inserted;      // stepped over
+  std::vector<int32_t> unskipped;   // revisit: segments
+  std::vector<uint32_t> outside;    // references
+  std::vector<uint32_t> inverted;   // alpha: references
+  std::vector<uint32_t> otherTMin;  // self-hit: references
   bool unlimited = false;
 };
 
@@ -64,8 +64,10 @@ void toggleReference(Edits& edits, const Grid& grid, const TruthEvent& event) {
   if (!gridContains(grid.parameters, event.cell)) return;
   std::vector<uint32_t>& references = showCell(edits, grid, event.cell).references;
   const auto found = std::ranges::find(references, event.reference);
-  if (found == references.end()) references.insert(references.begin(), event.reference);
-  else references.erase(found);
+  if (found == references.end())
+    references.insert(references.begin(), event.reference);
+  else
+    references.erase(found);
 }
 
 void addEdit(Edits& edits, const Grid& grid, const TruthEvent& event) {
@@ -108,10 +110,10 @@ float otherTMin(const TraceInput& input, const Ray& ray, const Edits& edits) {
   if (contains(edits_.unaccepted, state.cell)) best.t = state.t, best.reference = state.reference;
 #define GATE_OPEN(cell, open) gateOpen(cell, open)
 #define REVISIT_SKIPS(segment, skips) ((skips) && !contains(edits_.unskipped, segment))
-#define INSERT_SEGMENT(segment, state, found) \
+#define INSERT_SEGMENT(segment, state, found)       \
   if (insertSegment(segment, state, found.start)) { \
-    found.kind = kHitTriangle; \
-    return found; \
+    found.kind = kHitTriangle;                      \
+    return found;                                   \
   }
 class EditedTrace : public TraceLoads {
  public:
@@ -143,7 +145,7 @@ class EditedTrace : public TraceLoads {
  private:
   struct Insert {
     ivec3 cell;
-    float start;                       // where the ray enters it
+    float start;  // where the ray enters it
     bool done;
   };
 

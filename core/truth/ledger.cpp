@@ -47,7 +47,9 @@ struct Losses {
       if (TriangleLoss* loss = find(reference)) ++loss->stored;
     for (uint32_t reference : refused)
       if (TriangleLoss* loss = find(reference)) ++loss->lost;
-    cells.push_back({.cell = cell, .tried = uint32_t(stored.size() + refused.size()), .stored = uint32_t(stored.size()),
+    cells.push_back({.cell = cell,
+                     .tried = uint32_t(stored.size() + refused.size()),
+                     .stored = uint32_t(stored.size()),
                      .refused = uint32_t(refused.size())});
   }
 
@@ -105,7 +107,8 @@ std::vector<GroupLoss> sumGroups(const Losses& losses, std::span<const RayTruth>
 }
 
 // The rays that lost references cost, by group and cell.
-std::map<std::pair<uint32_t, size_t>, uint32_t> lostRaysByCell(const Losses& losses, std::span<const RayTruth> truths, GroupNumber numberOf) {
+std::map<std::pair<uint32_t, size_t>, uint32_t> lostRaysByCell(const Losses& losses, std::span<const RayTruth> truths,
+                                                               GroupNumber numberOf) {
   const TraceInput& trace = losses.input.trace;
   std::map<std::pair<uint32_t, size_t>, uint32_t> rays;
   for (const RayTruth& truth : truths) {

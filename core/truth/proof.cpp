@@ -25,11 +25,11 @@ uint32_t draw(uint32_t ray, uint32_t count) {
 
 // What was found out about one ray.
 struct RayProof {
-  uint16_t links = 0;                  // of a confirmed proof
+  uint16_t links = 0;  // of a confirmed proof
   bool confirmed = false;
-  bool controlled = false;             // there was another ray to draw from
+  bool controlled = false;  // there was another ray to draw from
   bool controlAlone = false;
-  bool controlConfirmed = false;       // alone or as a chain
+  bool controlConfirmed = false;  // alone or as a chain
 };
 
 // The rays of each cause, rising.
@@ -166,8 +166,10 @@ ProofTotals proveFrame(const TruthInput& input, const ProofRays& frame, const Tr
     count.controlTotal += proof.controlled ? 1 : 0;
     count.controlConfirmed += proof.controlAlone ? 1 : 0;
     count.controlChained += proof.controlConfirmed ? 1 : 0;
-    if (proof.confirmed) totals.mostLinks = std::max<uint64_t>(totals.mostLinks, proof.links);
-    else totals.notConfirmed.push_back(todo[i]);
+    if (proof.confirmed)
+      totals.mostLinks = std::max<uint64_t>(totals.mostLinks, proof.links);
+    else
+      totals.notConfirmed.push_back(todo[i]);
   }
   return totals;
 }

@@ -16,10 +16,10 @@ namespace gridscope {
 inline constexpr size_t kMostProofLinks = 256;
 
 struct Proof {
-  bool confirmed = false;              // without the events in `links` the ray agrees, or ends as the foreign hit does
-  bool foreign = false;                // the hit was made by other rules: confirmed by making it again
-  std::vector<TruthEvent> links;       // one: confirmed alone; more: as a chain, in the order in which they were removed
-  Hit hit{};                           // what the ray then ends with
+  bool confirmed = false;         // without the events in `links` the ray agrees, or ends as the foreign hit does
+  bool foreign = false;           // the hit was made by other rules: confirmed by making it again
+  std::vector<TruthEvent> links;  // one: confirmed alone; more: as a chain, in the order in which they were removed
+  Hit hit{};                      // what the ray then ends with
 };
 
 // `truth`: of this ray, with a cause. `traced`: the frame's hit that it is about.
@@ -32,8 +32,8 @@ struct ProofTotals {
     uint64_t alone = 0;
     uint64_t chain = 0;
     uint64_t total = 0;
-    uint64_t controlConfirmed = 0;     // of controlTotal: alone
-    uint64_t controlChained = 0;       // of controlTotal: alone, or as a chain that goes on by the same rules
+    uint64_t controlConfirmed = 0;  // of controlTotal: alone
+    uint64_t controlChained = 0;    // of controlTotal: alone, or as a chain that goes on by the same rules
     uint64_t controlTotal = 0;
   };
   std::array<Count, kCauseCount> causes{};

@@ -18,7 +18,8 @@ struct SpanTrace : TraceLoads {
 
 TruthReason refusedReason(const GridParameters& grid) {
   if (grid.reserved != 2) return {"full", "The cell is full; this grid does not count what its cells refused."};
-  if (grid.insertion == kInsertionSorted) return {"largerReference", "Sorted insertion keeps the smallest references: the slots hold smaller ones."};
+  if (grid.insertion == kInsertionSorted)
+    return {"largerReference", "Sorted insertion keeps the smallest references: the slots hold smaller ones."};
   return {"cameLater", "The first to come keep the slots: they were taken when it came."};
 }
 
@@ -37,9 +38,11 @@ TruthReason steppedOverReason(const TruthInput& input, const Ray& ray, const Ray
 // On which side of its cell's window the hit lies.
 TruthReason segmentEndReason(const TruthInput& input, const Ray& ray, const RayTruth& truth) {
   const RayRecord record = recordRay(input.trace, ray);
-  const auto step = std::ranges::find_if(record.steps, [&](const StepRecord& one) { return one.segment == truth.segment && one.cell == truth.cell; });
+  const auto step =
+      std::ranges::find_if(record.steps, [&](const StepRecord& one) { return one.segment == truth.segment && one.cell == truth.cell; });
   if (step == record.steps.end()) return {};
-  if (truth.exactT < stepWindow(input.trace.parameters, *step).x) return {"before", "The hit lies before the part of the ray that the segment tests."};
+  if (truth.exactT < stepWindow(input.trace.parameters, *step).x)
+    return {"before", "The hit lies before the part of the ray that the segment tests."};
   return {"behind", "The hit lies behind the part of the ray that the segment tests."};
 }
 
@@ -71,7 +74,8 @@ TruthReason leftOutReason(const TruthInput& input, const RayTruth& truth) {
 TruthReason staleReason(const TruthInput& input, const RayTruth& truth) {
   if (truth.reference != truth.exactReference) return {"leftBehind", "It is a dynamic reference in a cell where it no longer belongs."};
   const std::vector<uint32_t> stored = storedIn(input.trace.grid, truth.cell);
-  if (stored.size() < size_t(input.trace.grid.parameters.capacity)) return {"missed", "It is a dynamic reference that the update did not add."};
+  if (stored.size() < size_t(input.trace.grid.parameters.capacity))
+    return {"missed", "It is a dynamic reference that the update did not add."};
   return {"slotTaken", "A dynamic reference that no longer belongs there holds one of the slots."};
 }
 

@@ -142,9 +142,12 @@ TruthTotals countTruths(std::span<const RayTruth> truths) {
     ++totals.verdicts[truth.verdict];
     if (truth.verdict == kVerdictNoRay) continue;
     ++totals.rays;
-    if (truth.verdict != kVerdictAgrees) ++totals.causes[truth.cause];
-    else if (truth.exactReference != kBlank) ++totals.agreeHit;
-    else ++totals.agreeMiss;
+    if (truth.verdict != kVerdictAgrees)
+      ++totals.causes[truth.cause];
+    else if (truth.exactReference != kBlank)
+      ++totals.agreeHit;
+    else
+      ++totals.agreeMiss;
   }
   return totals;
 }

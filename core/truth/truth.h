@@ -20,7 +20,7 @@ namespace gridscope {
 // What all questions about one frame's rays need. What it refers to must outlive it.
 struct TruthInput {
   TraceInput trace;
-  const Demand& demand;                // of the same triangles and grid parameters
+  const Demand& demand;  // of the same triangles and grid parameters
 };
 
 // What a verdict or a cause is called: `key` in JSON and on the command line ("steppedOver"), `title` for people ("stepped over"), `about`
@@ -30,8 +30,8 @@ struct TruthName {
   std::string_view title;
   std::string_view about;
 };
-const TruthName& verdictName(uint32_t verdict);   // kVerdict...
-const TruthName& causeName(uint32_t cause);       // kCause...
+const TruthName& verdictName(uint32_t verdict);  // kVerdict...
+const TruthName& causeName(uint32_t cause);      // kCause...
 
 // kVerdict... of a ray whose hits are these. Whether there is a ray the exact hit says: a traced hit that denies it is a miss.
 uint32_t judge(const Hit& traced, const Hit& exact, const GridParameters& grid);
@@ -48,13 +48,13 @@ ivec3 hitCell(const GridParameters& grid, const Ray& ray, const Hit& hit);
 
 // Counted over the rays of a frame. agreeHit + agreeMiss + the other verdicts = rays; the causes add up to the rays that do not agree.
 struct TruthTotals {
-  uint64_t rays = 0;                   // valid ones
+  uint64_t rays = 0;  // valid ones
   uint64_t agreeHit = 0;
   uint64_t agreeMiss = 0;
   std::array<uint64_t, kVerdictCount> verdicts{};
   std::array<uint64_t, kCauseCount> causes{};
-  uint64_t wrong() const;              // hole + voxel wrong + too far + too near
-  uint64_t differ() const;             // every ray that does not agree, voxel right included
+  uint64_t wrong() const;   // hole + voxel wrong + too far + too near
+  uint64_t differ() const;  // every ray that does not agree, voxel right included
 };
 TruthTotals countTruths(std::span<const RayTruth> truths);
 

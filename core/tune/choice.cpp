@@ -95,7 +95,8 @@ std::string tuneFlags(const TuneRow& row) {
 
 std::string tuneTitle(const TuneRow& row) {
   std::string title = row.grid.cellEdge > 0.0f ? "cells of " + numberText(row.grid.cellEdge) : std::to_string(row.grid.cells) + " cells";
-  title += ", capacity " + std::to_string(row.grid.capacity) + ", " + overlapWord(row.grid.overlap) + ", by " + numberingWord(row.grid.numberBy);
+  title +=
+      ", capacity " + std::to_string(row.grid.capacity) + ", " + overlapWord(row.grid.overlap) + ", by " + numberingWord(row.grid.numberBy);
   title += row.trace.traversal == kTraversalSegment
                ? "; segment, back " + numberText(row.trace.back) + ", ahead " + numberText(row.trace.ahead)
                : std::string("; dda");

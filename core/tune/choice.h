@@ -15,8 +15,8 @@
 
 namespace gridscope {
 
-inline constexpr double kTuneMostMemory = 2.0;   // of the first row's
-inline constexpr double kTuneMostTime = 1.25;    // of the first row's
+inline constexpr double kTuneMostMemory = 2.0;  // of the first row's
+inline constexpr double kTuneMostTime = 1.25;   // of the first row's
 
 // Milliseconds within which two trace times are the same: the larger of the rows' own spreads (slowest - fastest run), and no less than the
 // median of all rows' spreads relative to their time.
@@ -34,8 +34,8 @@ void markFront(std::span<TuneRow> rows);
 
 // The front of two: rows, by rising `amountOf`, each with fewer wrong rays than all before it. Rows that were not measured are left out.
 std::vector<size_t> frontAgainst(std::span<const TuneRow> rows, double (*amountOf)(const TuneRow& row));
-double memoryOf(const TuneRow& row);             // bytes
-double traceTimeOf(const TuneRow& row);          // milliseconds, the median
+double memoryOf(const TuneRow& row);     // bytes
+double traceTimeOf(const TuneRow& row);  // milliseconds, the median
 
 // The options to paste: what the sweep varies, for either command line, "--cells 192 --capacity 32 --overlap exact ...".
 std::string tuneFlags(const TuneRow& row);

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <cstring>
 
-#include "core/grid/derive.h"
 #include "core/base/error.h"
+#include "core/grid/derive.h"
 
 namespace gridscope {
 namespace {
@@ -25,8 +25,8 @@ GridParameters builtHere(GridParameters grid) {
 }
 
 bool sameShape(const GridParameters& a, const GridParameters& b) {
-  return a.origin == b.origin && a.cellEdge == b.cellEdge && a.cellCount == b.cellCount && a.capacity == b.capacity && a.overlap == b.overlap &&
-         a.insertion == b.insertion && a.boxHalfEdge == b.boxHalfEdge;
+  return a.origin == b.origin && a.cellEdge == b.cellEdge && a.cellCount == b.cellCount && a.capacity == b.capacity &&
+         a.overlap == b.overlap && a.insertion == b.insertion && a.boxHalfEdge == b.boxHalfEdge;
 }
 
 // Do the settings make this shape of the bounds? Settings that make no grid at all do not.
@@ -73,10 +73,12 @@ bool triesSame(const TraceSettings& a, const TraceSettings& b) {
 }
 
 TuneOwn ownSettings(const FrameSettings& settings, const FrameParameters& parameters, const NumberedScene& scene, const Bounds& bounds) {
-  TuneOwn own{.grid = settings.grid, .trace = settings.trace, .gridParameters = builtHere(parameters.grid), .traceParameters = parameters.trace};
+  TuneOwn own{
+      .grid = settings.grid, .trace = settings.trace, .gridParameters = builtHere(parameters.grid), .traceParameters = parameters.trace};
   if (!makes(settings.grid, bounds, scene, own.gridParameters)) own.grid = settingsOf(parameters.grid, settings.grid);
   const TraceParameters derived = deriveTrace(settings.trace, parameters.grid);
-  if (std::memcmp(&derived, &parameters.trace, sizeof derived) != 0) own.trace = settingsOf(parameters.trace, parameters.grid.cellEdge, settings.trace);
+  if (std::memcmp(&derived, &parameters.trace, sizeof derived) != 0)
+    own.trace = settingsOf(parameters.trace, parameters.grid.cellEdge, settings.trace);
   return own;
 }
 

@@ -9,8 +9,8 @@
 #include <optional>
 #include <utility>
 
-#include "core/grid/build.h"
 #include "core/base/error.h"
+#include "core/grid/build.h"
 #include "core/tune/attempt.h"
 #include "core/tune/choice.h"
 #include "core/tune/settings.h"
@@ -38,8 +38,12 @@ TuneOwn ownOf(const TuneInput& input) {
 class Sweep {
  public:
   Sweep(const TuneInput& input, const TuneProgress& progress)
-      : input_(input), progress_(progress), rays_(input.frame.rays()), own_(ownOf(input)),
-        grids_(gridsToTry(input.axes, own_.grid, input.scene != nullptr)), traces_(tracesToTry(input.axes, own_.trace)) {}
+      : input_(input),
+        progress_(progress),
+        rays_(input.frame.rays()),
+        own_(ownOf(input)),
+        grids_(gridsToTry(input.axes, own_.grid, input.scene != nullptr)),
+        traces_(tracesToTry(input.axes, own_.trace)) {}
 
   TuneResult run() {
     const Clock::time_point start = Clock::now();
@@ -126,13 +130,16 @@ class Sweep {
   // For a pipeline with the row's settings and the frame's instances. Without diffuse maps: nothing measured here shows them.
   PipelineInputs inputsOf(const TuneRow& row) {
     const Numbering& numbered = numbering(row.grid.numberBy);
-    PipelineInputs inputs{.name = input_.frame.name(), .numbered = numbered.scene, .settings = input_.frame.settings(),
+    PipelineInputs inputs{.name = input_.frame.name(),
+                          .numbered = numbered.scene,
+                          .settings = input_.frame.settings(),
                           .parameters = input_.frame.parameters()};
     const bool isOwn = triesSame(row.grid, own_.grid);
     inputs.settings.grid = row.grid;
     inputs.settings.trace = row.trace;
     inputs.parameters.grid = isOwn ? own_.gridParameters : deriveGrid(row.grid, input_.bounds, numbered.scene);
-    inputs.parameters.trace = isOwn && triesSame(row.trace, own_.trace) ? own_.traceParameters : deriveTrace(row.trace, inputs.parameters.grid);
+    inputs.parameters.trace =
+        isOwn && triesSame(row.trace, own_.trace) ? own_.traceParameters : deriveTrace(row.trace, inputs.parameters.grid);
     return inputs;
   }
 
@@ -230,11 +237,11 @@ class Sweep {
   std::vector<GridSettings> grids_;
   std::vector<TraceSettings> traces_;
   std::map<NumberBy, Numbering> numberings_;
-  std::unique_ptr<Pipeline> beside_;     // the first row's, once it is measured: it is timed beside all others
-  bool timedAlone_ = false;              // the present row needs the room of beside_
-  double ownTraceMs_ = 0.0;              // median of the first row
+  std::unique_ptr<Pipeline> beside_;  // the first row's, once it is measured: it is timed beside all others
+  bool timedAlone_ = false;           // the present row needs the room of beside_
+  double ownTraceMs_ = 0.0;           // median of the first row
   std::vector<Hit> exact_;
-  std::optional<float> exactTMin_;       // of exact_
+  std::optional<float> exactTMin_;  // of exact_
   TuneResult result_;
 };
 

@@ -104,10 +104,12 @@ TEST(Npy, FaultsAreNamed) {
   EXPECT_EQ(faultOf(bytesOf("PK\x03\x04 something else")), "is not a .npy file");
   EXPECT_NE(faultOf(fileWith("{'descr': '>f4', 'fortran_order': False, 'shape': (2,), }", 8)).find("little-endian"), std::string::npos);
   EXPECT_NE(faultOf(fileWith("{'descr': '<f4', 'fortran_order': True, 'shape': (2,), }", 8)).find("Fortran"), std::string::npos);
-  EXPECT_NE(faultOf(fileWith("{'descr': [('x', '<f4')], 'fortran_order': False, 'shape': (2,), }", 8)).find("structured"), std::string::npos);
+  EXPECT_NE(faultOf(fileWith("{'descr': [('x', '<f4')], 'fortran_order': False, 'shape': (2,), }", 8)).find("structured"),
+            std::string::npos);
   EXPECT_NE(faultOf(fileWith("{'descr': '|O', 'fortran_order': False, 'shape': (2,), }", 8)).find("not supported"), std::string::npos);
   EXPECT_NE(faultOf(fileWith("{'descr': '<f4', 'shape': (2,), }", 8)).find("lacks"), std::string::npos);
-  EXPECT_NE(faultOf(fileWith("{'descr': '<f4', 'descr': '<f4', 'fortran_order': False, 'shape': (2,), }", 8)).find("twice"), std::string::npos);
+  EXPECT_NE(faultOf(fileWith("{'descr': '<f4', 'descr': '<f4', 'fortran_order': False, 'shape': (2,), }", 8)).find("twice"),
+            std::string::npos);
   EXPECT_NE(faultOf(fileWith(good + "x", 24)).find("behind its end"), std::string::npos);
 }
 

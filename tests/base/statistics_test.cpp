@@ -38,7 +38,8 @@ TEST(Statistics, SumsBeyond32BitsAreKept) {
 }
 
 TEST(Statistics, PixelsWithoutARayAreNotCounted) {
-  const std::vector<Hit> hits = {hitOf(kHitNoRay), hitOf(kHitTriangle), hitOf(kHitVoxel), hitOf(kHitMiss), hitOf(kHitLimit), hitOf(kHitTriangle)};
+  const std::vector<Hit> hits = {hitOf(kHitNoRay), hitOf(kHitTriangle), hitOf(kHitVoxel),
+                                 hitOf(kHitMiss),  hitOf(kHitLimit),    hitOf(kHitTriangle)};
   const RayTotals totals = countRays(hits);
   EXPECT_EQ(totals.count, 5u);
   EXPECT_EQ(totals.triangleHits, 2u);
@@ -58,10 +59,10 @@ TEST(Statistics, TrianglesWithoutAreaAreDegenerateAndNotOutside) {
   grid.cellEdge = grid.inverseCellEdge = 1.0f;
   grid.cellCount = ivec3(4, 4, 4);
   const std::vector<Triangle> triangles = {
-      {{1, 1, 1}, {2, 1, 1}, {1, 2, 1}},     // inside
-      {{1, 1, 1}, {9, 1, 1}, {1, 2, 1}},     // reaches out
-      {{9, 9, 9}, {8, 9, 9}, {9, 8, 9}},     // wholly outside
-      {{9, 1, 1}, {9, 1, 1}, {9, 2, 1}},     // no area
+      {{1, 1, 1}, {2, 1, 1}, {1, 2, 1}},  // inside
+      {{1, 1, 1}, {9, 1, 1}, {1, 2, 1}},  // reaches out
+      {{9, 9, 9}, {8, 9, 9}, {9, 8, 9}},  // wholly outside
+      {{9, 1, 1}, {9, 1, 1}, {9, 2, 1}},  // no area
   };
   const TriangleTotals totals = countTriangles(grid, triangles);
   EXPECT_EQ(totals.degenerate, 1u);

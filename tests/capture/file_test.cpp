@@ -18,7 +18,9 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-fs::path temporary(const std::string& name) { return fs::temp_directory_path() / ("gridscope_capture_" + std::to_string(getpid()) + "_" + name); }
+fs::path temporary(const std::string& name) {
+  return fs::temp_directory_path() / ("gridscope_capture_" + std::to_string(getpid()) + "_" + name);
+}
 fs::path sourceFolder() { return fs::path(__FILE__).parent_path().parent_path().parent_path(); }
 
 std::vector<std::byte> bytesOf(const fs::path& file) {
@@ -43,7 +45,8 @@ std::vector<std::byte> rezipped(std::span<const std::byte> file, const Change& c
 template <class Change>
 std::vector<std::byte> withManifest(std::span<const std::byte> file, const Change& change) {
   return rezipped(file, [&](std::vector<CaptureEntryBytes>& entries) {
-    json manifest = json::parse(reinterpret_cast<const char*>(entries[0].bytes.data()), reinterpret_cast<const char*>(entries[0].bytes.data()) + entries[0].bytes.size());
+    json manifest = json::parse(reinterpret_cast<const char*>(entries[0].bytes.data()),
+                                reinterpret_cast<const char*>(entries[0].bytes.data()) + entries[0].bytes.size());
     change(manifest);
     const std::string text = manifest.dump();
     entries[0].bytes.assign(reinterpret_cast<const std::byte*>(text.data()), reinterpret_cast<const std::byte*>(text.data()) + text.size());
@@ -133,7 +136,8 @@ TEST(CaptureFile, ACaptureWithoutExactHitsIsReadAsBefore) {
 
 TEST(CaptureFile, OnlyTheWantedProductsAreRead) {
   const std::vector<std::byte> bytes = formatCapture(makeSmallCapture());
-  const Capture read = readCaptureMemory(bytes, "small", {.products = {.grid = false, .gather = false, .counters = false, .preview = false}});
+  const Capture read =
+      readCaptureMemory(bytes, "small", {.products = {.grid = false, .gather = false, .counters = false, .preview = false}});
   EXPECT_TRUE(read.frames[0].grid.empty());
   EXPECT_TRUE(read.frames[0].gather.empty());
   EXPECT_TRUE(read.frames[0].counters.empty());
@@ -236,7 +240,9 @@ TEST(CaptureFile, AMissingFolderIsNamed) {
     writeCapture("/nowhere/at/all.gridcap", makeSmallCapture());
     FAIL();
   } catch (const Error& error) {
-    EXPECT_NE(std::string(error.what()).find("/nowhere/at/all.gridcap: can't be saved: No such file or directory; nothing was written"), std::string::npos) << error.what();
+    EXPECT_NE(std::string(error.what()).find("/nowhere/at/all.gridcap: can't be saved: No such file or directory; nothing was written"),
+              std::string::npos)
+        << error.what();
   }
 }
 
@@ -253,7 +259,8 @@ TEST(CaptureFile, ThePythonExampleOpensForEveryNumberOfReservedTexels) {
   if (python().empty()) GTEST_SKIP() << "no numpy";
   for (int reserved : {0, 1, 2}) {
     const fs::path file = temporary("foreign.gridcap");
-    ASSERT_TRUE(runPython((sourceFolder() / "captures/write_foreign.py").string() + " " + file.string() + " --reserved " + std::to_string(reserved)));
+    ASSERT_TRUE(runPython((sourceFolder() / "captures/write_foreign.py").string() + " " + file.string() + " --reserved " +
+                          std::to_string(reserved)));
     const Capture capture = readCapture(file);
     EXPECT_EQ(capture.grid.reserved, reserved);
     EXPECT_EQ(capture.scene.staticInstanceCount, 1u);
@@ -337,8 +344,8 @@ TEST(CaptureFile, NumpysOwnContainerIsRead) {
   const fs::path ours = temporary("ours.gridcap"), theirs = temporary("theirs.npz");
   writeCapture(ours, makeSmallCapture());
   ASSERT_TRUE(runPython("-c \"import numpy, zipfile; a = numpy.load('" + ours.string() + "'); numpy.savez_compressed('" + theirs.string() +
-                        "', **{n: a[n] for n in a.files if n != 'manifest.json' and n != 'preview.png'}); z = zipfile.ZipFile('" + theirs.string() +
-                        "', 'a'); z.writestr('manifest.json', a['manifest.json']); z.close()\""));
+                        "', **{n: a[n] for n in a.files if n != 'manifest.json' and n != 'preview.png'}); z = zipfile.ZipFile('" +
+                        theirs.string() + "', 'a'); z.writestr('manifest.json', a['manifest.json']); z.close()\""));
   Capture capture = readCapture(theirs);
   capture.preview = readCapture(ours).preview;
   EXPECT_EQ(formatCapture(capture), bytesOf(ours));

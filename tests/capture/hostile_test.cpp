@@ -110,8 +110,10 @@ TEST(CaptureHostile, EveryFlippedBitIsRefusedOrChangesNothing) {
   size_t refused = 0;
   for (size_t bit = 0; bit < 8 * file.size(); bit += kBitStep) {
     file[bit / 8] ^= std::byte(1u << (bit % 8));
-    if (!faultOf(file).empty()) ++refused;
-    else ASSERT_EQ(contentOf(file), content) << "bit " << bit % 8 << " of byte " << bit / 8;
+    if (!faultOf(file).empty())
+      ++refused;
+    else
+      ASSERT_EQ(contentOf(file), content) << "bit " << bit % 8 << " of byte " << bit / 8;
     file[bit / 8] ^= std::byte(1u << (bit % 8));
   }
   EXPECT_GT(refused, 8 * file.size() / kBitStep * 9 / 10);
@@ -161,54 +163,74 @@ TEST(CaptureHostile, TextThatIsNoManifestIsRefused) {
 
 TEST(CaptureHostile, ArraysMustAgreeWithTheManifest) {
   expectRefused("hits_t.npy: is missing; the manifest lists it", [](Parts& p) { p.entries.erase("hits_t.npy"); });
-  expectRefused("other.npy: is missing; the manifest lists it", [](Parts& p) { p.manifest["entries"]["other.npy"] = p.manifest["entries"]["hits_t.npy"]; });
+  expectRefused("other.npy: is missing; the manifest lists it",
+                [](Parts& p) { p.manifest["entries"]["other.npy"] = p.manifest["entries"]["hits_t.npy"]; });
   expectRefused("hits_t.npy: is not listed in the manifest", [](Parts& p) { p.manifest["entries"].erase("hits_t.npy"); });
-  expectRefused("hits_t.npy: is missing; the other arrays of the hits need it", [](Parts& p) { p.entries.erase("hits_t.npy"), p.manifest["entries"].erase("hits_t.npy"); });
+  expectRefused("hits_t.npy: is missing; the other arrays of the hits need it",
+                [](Parts& p) { p.entries.erase("hits_t.npy"), p.manifest["entries"].erase("hits_t.npy"); });
   expectRefused("hits_t.npy: is said to hold <u4", [](Parts& p) { p.manifest["entries"]["hits_t.npy"]["dtype"] = "<u4"; });
   expectRefused("hits_t.npy: holds <u4; it must hold <f4", [](Parts& p) {
     p.replace<uint32_t>("hits_t.npy", {2, 2, 3}, std::vector<uint32_t>(12));
     p.manifest["entries"]["hits_t.npy"]["dtype"] = "<f4";
   });
-  expectRefused("hits_t.npy: has the shape (3, 2) a frame; the manifest says 2 rows of 3 pixels", [](Parts& p) { p.replace<float>("hits_t.npy", {2, 3, 2}, std::vector<float>(12)); });
-  expectRefused("hits_t.npy: has the shape (12,); it must be ([frames, ]height, width)", [](Parts& p) { p.replace<float>("hits_t.npy", {12}, std::vector<float>(12)); });
-  expectRefused("hits_t.npy: has the shape (3, 2, 3); it must be", [](Parts& p) { p.replace<float>("hits_t.npy", {3, 2, 3}, std::vector<float>(18)); });
+  expectRefused("hits_t.npy: has the shape (3, 2) a frame; the manifest says 2 rows of 3 pixels", [](Parts& p) {
+    p.replace<float>("hits_t.npy", {2, 3, 2}, std::vector<float>(12));
+  });
+  expectRefused("hits_t.npy: has the shape (12,); it must be ([frames, ]height, width)",
+                [](Parts& p) { p.replace<float>("hits_t.npy", {12}, std::vector<float>(12)); });
+  expectRefused("hits_t.npy: has the shape (3, 2, 3); it must be", [](Parts& p) {
+    p.replace<float>("hits_t.npy", {3, 2, 3}, std::vector<float>(18));
+  });
   expectRefused("hits_t.npy: has the shape (1, 12) where the manifest says (2, 2, 3)", [](Parts& p) {
     p.replace<float>("hits_t.npy", {1, 12}, std::vector<float>(12));
     p.manifest["entries"]["hits_t.npy"]["shape"] = {2, 2, 3};
   });
   expectRefused("grid.npy: has the shape", [](Parts& p) { p.manifest["grid"]["capacity"] = 2, p.manifest["grid"]["stride"] = 4; });
   expectRefused("rays_origin.npy", [](Parts& p) { p.manifest["entries"]["rays_origin.npy"]["shape"] = {1ull << 62, 1ull << 62, 3}; });
-  expectRefused("triangles.npy: has 236 bytes, which do not hold the shape", [](Parts& p) { p.manifest["entries"]["triangles.npy"]["shape"] = {4000000000ull, 3, 3}; });
+  expectRefused("triangles.npy: has 236 bytes, which do not hold the shape", [](Parts& p) {
+    p.manifest["entries"]["triangles.npy"]["shape"] = {4000000000ull, 3, 3};
+  });
   expectRefused("corners_uv.npy", [](Parts& p) { p.replace<float>("corners_uv.npy", {2, 3, 2}, std::vector<float>(12)); });
-  expectRefused("alpha.npy: has the shape (7,); it must be (a multiple of 4)", [](Parts& p) { p.replace<uint8_t>("alpha.npy", {7}, std::vector<uint8_t>(7)); });
-  expectRefused("triangles.npy: is missing", [](Parts& p) { p.entries.erase("triangles.npy"), p.manifest["entries"].erase("triangles.npy"); });
+  expectRefused("alpha.npy: has the shape (7,); it must be (a multiple of 4)",
+                [](Parts& p) { p.replace<uint8_t>("alpha.npy", {7}, std::vector<uint8_t>(7)); });
+  expectRefused("triangles.npy: is missing",
+                [](Parts& p) { p.entries.erase("triangles.npy"), p.manifest["entries"].erase("triangles.npy"); });
 }
 
 TEST(CaptureHostile, WhatLeadsNowhereIsRefused) {
-  expectRefused("grid.npy: cell (0, 0, 0) slot 0 names instance 7, triangle 3", [](Parts& p) { p.values<uint32_t>("grid.npy")[0] = makeReference(7, 3); });
+  expectRefused("grid.npy: cell (0, 0, 0) slot 0 names instance 7, triangle 3",
+                [](Parts& p) { p.values<uint32_t>("grid.npy")[0] = makeReference(7, 3); });
   expectRefused("hits_reference.npy: pixel (0, 0) hits nothing", [](Parts& p) { p.values<uint32_t>("hits_reference.npy")[0] = 0; });
   expectRefused("hits_kind.npy: pixel (1, 0) has kind 9", [](Parts& p) { p.values<uint8_t>("hits_kind.npy")[1] = 9; });
   expectRefused("hits_t.npy: pixel (2, 1) is not finite", [](Parts& p) { p.values<float>("hits_t.npy")[5] = NAN; });
-  expectRefused("gather_reference.npy: pixel (1, 0) names instance 0, triangle 2", [](Parts& p) { p.values<uint32_t>("gather_reference.npy")[1] = makeReference(0, 2); });
-  expectRefused("gather_material.npy: pixel (1, 0) has material 1 of 1", [](Parts& p) { p.values<uint32_t>("gather_material.npy")[1] = 1; });
+  expectRefused("gather_reference.npy: pixel (1, 0) names instance 0, triangle 2",
+                [](Parts& p) { p.values<uint32_t>("gather_reference.npy")[1] = makeReference(0, 2); });
+  expectRefused("gather_material.npy: pixel (1, 0) has material 1 of 1",
+                [](Parts& p) { p.values<uint32_t>("gather_material.npy")[1] = 1; });
   expectRefused("instances.npy: instance 0 leads beyond", [](Parts& p) { p.values<uint32_t>("instances.npy")[0] = 2; });
   expectRefused("instances.npy: instance 1 has 0 triangles", [](Parts& p) { p.values<uint32_t>("instances.npy")[6] = 0; });
   expectRefused("instances.npy: instance 0 has mesh 9 of 2", [](Parts& p) { p.values<uint32_t>("instances.npy")[2] = 9; });
   expectRefused("instances.npy: instance 0 is of scene instance 9 of 2", [](Parts& p) { p.values<uint32_t>("instances.npy")[3] = 9; });
   expectRefused("instances.npy: instance 0 has material 1 of 1", [](Parts& p) { p.values<uint32_t>("instances.npy")[4] = 1; });
-  expectRefused("materials_keying.npy: material 0 has an alpha map that leads beyond", [](Parts& p) { p.values<uint32_t>("materials_keying.npy")[5] = 60000; });
-  expectRefused("materials_keying.npy: material 0 has an alpha threshold", [](Parts& p) { p.values<uint32_t>("materials_keying.npy")[7] = 257; });
-  expectRefused("materials_keying.npy: material 0 has an unknown wrap mode", [](Parts& p) { p.values<uint32_t>("materials_keying.npy")[3] = 3; });
+  expectRefused("materials_keying.npy: material 0 has an alpha map that leads beyond",
+                [](Parts& p) { p.values<uint32_t>("materials_keying.npy")[5] = 60000; });
+  expectRefused("materials_keying.npy: material 0 has an alpha threshold",
+                [](Parts& p) { p.values<uint32_t>("materials_keying.npy")[7] = 257; });
+  expectRefused("materials_keying.npy: material 0 has an unknown wrap mode",
+                [](Parts& p) { p.values<uint32_t>("materials_keying.npy")[3] = 3; });
 }
 
 TEST(CaptureHostile, WhatIsNotFiniteIsRefused) {
-  expectRefused("instances_transform.npy: instance 1 of frame 1 has a transform that is not finite", [](Parts& p) { p.values<float>("instances_transform.npy")[24 + 12] = NAN; });
-  expectRefused("instances_transform.npy: a static instance moves in frame 1", [](Parts& p) { p.values<float>("instances_transform.npy")[24 + 3] = 0.5f; });
+  expectRefused("instances_transform.npy: instance 1 of frame 1 has a transform that is not finite",
+                [](Parts& p) { p.values<float>("instances_transform.npy")[24 + 12] = NAN; });
+  expectRefused("instances_transform.npy: a static instance moves in frame 1",
+                [](Parts& p) { p.values<float>("instances_transform.npy")[24 + 3] = 0.5f; });
   expectRefused("lies beyond the coordinates", [](Parts& p) { p.values<float>("instances_transform.npy")[24 + 12] = 1e30f; });
   expectRefused("triangles.npy: triangle 0 is not finite", [](Parts& p) { p.values<float>("triangles.npy")[4] = INFINITY; });
   expectRefused("corners_uv.npy: corner 2 is not finite", [](Parts& p) { p.values<float>("corners_uv.npy")[4] = NAN; });
   expectRefused("rays_origin.npy: pixel (1, 0) starts beyond", [](Parts& p) { p.values<float>("rays_origin.npy")[3] = NAN; });
-  expectRefused("rays_direction.npy: pixel (1, 0) has a direction that is not of length 1", [](Parts& p) { p.values<float>("rays_direction.npy")[3] = 3.0f; });
+  expectRefused("rays_direction.npy: pixel (1, 0) has a direction that is not of length 1",
+                [](Parts& p) { p.values<float>("rays_direction.npy")[3] = 3.0f; });
   expectRefused("rays_launch_normal.npy: pixel (1, 0)", [](Parts& p) { p.values<float>("rays_launch_normal.npy")[3] = INFINITY; });
   expectRefused("rays_valid.npy: pixel (2, 0): neither 0 nor 1", [](Parts& p) { p.values<uint8_t>("rays_valid.npy")[2] = 2; });
   expectRefused("materials_shading.npy: material 0 is not finite", [](Parts& p) { p.values<float>("materials_shading.npy")[5] = NAN; });
@@ -220,9 +242,7 @@ TEST(CaptureHostile, WhatIsNotFiniteIsRefused) {
 }
 
 TEST(CaptureHostile, ParametersThatNoGridHasAreRefused) {
-  const auto lie = [](const char* group, const char* key, const json& value) {
-    return [=](Parts& p) { p.manifest[group][key] = value; };
-  };
+  const auto lie = [](const char* group, const char* key, const json& value) { return [=](Parts& p) { p.manifest[group][key] = value; }; };
   expectRefused("grid.stride is not capacity + reserved", lie("grid", "stride", 7));
   expectRefused("grid.reserved is not 0, 1 or 2", lie("grid", "reserved", 3));
   expectRefused("grid.capacity is not from 1 to 16384", lie("grid", "capacity", 0));
@@ -242,28 +262,34 @@ TEST(CaptureHostile, ParametersThatNoGridHasAreRefused) {
 TEST(CaptureHostile, ABombIsRefusedBeforeItUnpacks) {
   // 64 MiB of zeros in 64 KiB: more than the limit, then more than its shape.
   const std::vector<uint8_t> zeros(64 << 20);
-  expectRefused("MiB in memory; at most 16 MiB are read", [&](Parts& p) { p.replace<uint8_t>("alpha.npy", {zeros.size()}, zeros); }, {.memoryLimit = 16 << 20});
+  expectRefused("MiB in memory; at most 16 MiB are read", [&](Parts& p) { p.replace<uint8_t>("alpha.npy", {zeros.size()}, zeros); },
+                {.memoryLimit = 16 << 20});
   expectRefused("alpha.npy: has 67108992 bytes, which do not hold the shape (8,)", [&](Parts& p) {
     p.replace<uint8_t>("alpha.npy", {zeros.size()}, zeros);
     p.manifest["entries"]["alpha.npy"]["shape"] = {8};
   });
 
   // Frames that multiply what is stored once.
-  expectRefused("MiB in memory; at most 1 MiB are read", [](Parts& p) {
-    for (const auto& entry : {"instances_transform.npy", "grid.npy", "rays_origin.npy", "rays_direction.npy", "hits_kind.npy", "hits_t.npy", "hits_reference.npy", "hits_barycentrics.npy",
-                              "counters_visits.npy", "counters_tests.npy", "exact_t.npy", "exact_reference.npy"}) {
-      json& shape = p.manifest["entries"][entry]["shape"];
-      const bool framed = shape[0] == 2 && shape.size() > 2;
-      if (framed) p.entries.erase(entry), p.manifest["entries"].erase(entry);
-    }
-    for (const auto* part : {"rays_", "hits_", "counters_", "exact_"})
-      for (auto it = p.entries.begin(); it != p.entries.end();)
-        if (it->first.starts_with(part)) p.manifest["entries"].erase(it->first), it = p.entries.erase(it);
-        else ++it;
-    const json frame = json::object();
-    p.manifest["frames"] = json::array();
-    for (int i = 0; i < kBombFrames; ++i) p.manifest["frames"].push_back(frame);
-  }, {.memoryLimit = 1 << 20});
+  expectRefused("MiB in memory; at most 1 MiB are read",
+                [](Parts& p) {
+                  for (const auto& entry : {"instances_transform.npy", "grid.npy", "rays_origin.npy", "rays_direction.npy", "hits_kind.npy",
+                                            "hits_t.npy", "hits_reference.npy", "hits_barycentrics.npy", "counters_visits.npy",
+                                            "counters_tests.npy", "exact_t.npy", "exact_reference.npy"}) {
+                    json& shape = p.manifest["entries"][entry]["shape"];
+                    const bool framed = shape[0] == 2 && shape.size() > 2;
+                    if (framed) p.entries.erase(entry), p.manifest["entries"].erase(entry);
+                  }
+                  for (const auto* part : {"rays_", "hits_", "counters_", "exact_"})
+                    for (auto it = p.entries.begin(); it != p.entries.end();)
+                      if (it->first.starts_with(part))
+                        p.manifest["entries"].erase(it->first), it = p.entries.erase(it);
+                      else
+                        ++it;
+                  const json frame = json::object();
+                  p.manifest["frames"] = json::array();
+                  for (int i = 0; i < kBombFrames; ++i) p.manifest["frames"].push_back(frame);
+                },
+                {.memoryLimit = 1 << 20});
 }
 
 // Overwrites bytes of a file at the n-th occurrence of a text.
@@ -296,7 +322,8 @@ TEST(CaptureHostile, DirectoriesThatLieAreRefused) {
   const FileBytes file = zip.finish();
   EXPECT_NE(faultOf(patched(file, "bbbb", "aaaa")).find("aaaa: is there twice"), std::string::npos);
   EXPECT_NE(faultOf(patched(file, "bbbb", "cccc", 0)).find("bbbb: its header and the ZIP directory disagree"), std::string::npos);
-  EXPECT_NE(faultOf(patched(file, std::string("PK\x05\x06", 4), std::string("PK\x05\x06\x01", 5))).find("several parts"), std::string::npos);
+  EXPECT_NE(faultOf(patched(file, std::string("PK\x05\x06", 4), std::string("PK\x05\x06\x01", 5))).find("several parts"),
+            std::string::npos);
 }
 
 TEST(CaptureHostile, SalvageOpensWhatIsSound) {
@@ -325,7 +352,8 @@ TEST(CaptureHostile, SalvageOpensWhatIsSound) {
   EXPECT_EQ(read.scene.corners.size(), 9u);
 
   // Without geometry there is nothing to save.
-  expectRefused("triangles.npy: triangle 0 is not finite", [](Parts& p) { p.values<float>("triangles.npy")[4] = INFINITY; }, {.salvage = true});
+  expectRefused("triangles.npy: triangle 0 is not finite", [](Parts& p) { p.values<float>("triangles.npy")[4] = INFINITY; },
+                {.salvage = true});
 }
 
 }  // namespace

@@ -6,9 +6,9 @@
 #include <fstream>
 #include <sstream>
 
-#include "core/pipeline/frame_capture.h"
 #include "core/base/image_decode.h"
 #include "core/checks/replay.h"
+#include "core/pipeline/frame_capture.h"
 #include "tests/gpu_fixture.h"
 #include "views/picture.h"
 
@@ -80,7 +80,9 @@ void useLastFrame(Pipeline& pipeline, const Capture& capture) {
 Picture viewPicture(Pipeline& pipeline, const View& view) {
   const Pipeline::ViewImage image = pipeline.view(view.name);
   return makeViewPicture(view, image.elements, image.width, image.height,
-                         {.legend = false, .capacity = uint32_t(pipeline.parameters().grid.capacity), .frameWidth = pipeline.settings().width,
+                         {.legend = false,
+                          .capacity = uint32_t(pipeline.parameters().grid.capacity),
+                          .frameWidth = pipeline.settings().width,
                           .frameHeight = pipeline.settings().height})
       .picture;
 }
@@ -96,7 +98,8 @@ void expectLooksLike(const Picture& picture, const fs::path& golden) {
   int worst = 0;
   for (size_t i = 0; i < picture.rgba.size(); i += 4) {
     int most = 0;
-    for (size_t channel = 0; channel < 4; ++channel) most = std::max(most, std::abs(int(picture.rgba[i + channel]) - int(image.rgba[i + channel])));
+    for (size_t channel = 0; channel < 4; ++channel)
+      most = std::max(most, std::abs(int(picture.rgba[i + channel]) - int(image.rgba[i + channel])));
     beyond += most > 2 ? 1 : 0;
     worst = std::max(worst, most);
   }

@@ -1,8 +1,8 @@
 // The recording trace: its end is the frame's hit, and its steps are those that C++ records.
 #include <cstring>
 
-#include "core/pipeline/pipeline.h"
 #include "core/checks/record_check.h"
+#include "core/pipeline/pipeline.h"
 #include "tests/gpu_fixture.h"
 #include "tests/lesson.h"
 
@@ -56,7 +56,8 @@ TEST_F(GpuTest, AThousandRecordedRaysOfTheHallEndAsTheFrameDid) {
   pipeline.trace(false);
   const RecordComparison comparison = compareRecords(pipeline, 1000);
   EXPECT_EQ(comparison.compared, 1000u);
-  EXPECT_TRUE(comparison.different.empty()) << comparison.different.size() << " differ; the first is pixel " << comparison.different.front();
+  EXPECT_TRUE(comparison.different.empty()) << comparison.different.size() << " differ; the first is pixel "
+                                            << comparison.different.front();
 }
 
 }  // namespace

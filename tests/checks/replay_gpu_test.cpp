@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cstring>
 
-#include "core/scene/built_in_scenes.h"
 #include "core/capture/diff.h"
 #include "core/pipeline/frame_capture.h"
+#include "core/scene/built_in_scenes.h"
 #include "core/scene/teapot.h"
 #include "tests/gpu_fixture.h"
 
@@ -128,7 +128,9 @@ size_t changeableTexel(const Capture& capture) {
   const std::vector<uint32_t>& texels = capture.frames.back().grid;
   const ivec3 count = gridTexelCount(capture.grid);
   for (size_t i = 0; i < texels.size(); ++i) {
-    const int along = capture.grid.stretchAxis == 0 ? int(i % count.x) : capture.grid.stretchAxis == 1 ? int(i / count.x % count.y) : int(i / (size_t(count.x) * count.y));
+    const int along = capture.grid.stretchAxis == 0   ? int(i % count.x)
+                      : capture.grid.stretchAxis == 1 ? int(i / count.x % count.y)
+                                                      : int(i / (size_t(count.x) * count.y));
     if (along % capture.grid.stride >= capture.grid.capacity || texels[i] == kBlank) continue;
     if (referenceTriangle(texels[i]) + 1 < capture.scene.instances[referenceInstance(texels[i])].triangleCount) return i;
   }
@@ -142,7 +144,8 @@ TEST_F(GpuTest, AChangedReferenceIsNamedWithCellSlotAndBothTriangles) {
   const uint32_t before = capture.frames.back().grid[texel];
   ++capture.frames.back().grid[texel];
   const Comparison how{"captured", "replayed", capture.scene, &capture.names};
-  const std::string expected = "frame 1, " + texelText(capture.grid, texel) + ": captured " + referenceText(how, before + 1) + ", replayed " + referenceText(how, before);
+  const std::string expected = "frame 1, " + texelText(capture.grid, texel) + ": captured " + referenceText(how, before + 1) +
+                               ", replayed " + referenceText(how, before);
   for (GpuContext* device : {&gpu(), static_cast<GpuContext*>(nullptr)}) {
     const ReplayResult result = replay(capture, {}, device);
     EXPECT_EQ(result.verdict, Verdict::different);
@@ -165,7 +168,9 @@ TEST_F(GpuTest, AChangedHitIsNamedWithItsPixelAndBothHits) {
   EXPECT_EQ(result.verdict, Verdict::different);
   EXPECT_EQ(product(result, "hits").different, 1u);
   const Comparison how{"captured", "replayed", capture.scene, &capture.names};
-  EXPECT_EQ(product(result, "hits").first.rfind(pixelText(size_t(hit - hits.begin()), 48) + ": captured " + hitText(how, *hit) + "; replayed ", 0), 0u)
+  EXPECT_EQ(product(result, "hits")
+                .first.rfind(pixelText(size_t(hit - hits.begin()), 48) + ": captured " + hitText(how, *hit) + "; replayed ", 0),
+            0u)
       << product(result, "hits").first;
 }
 

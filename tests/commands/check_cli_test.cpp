@@ -25,7 +25,7 @@ class CheckProgram : public ProgramTest {
     return fs::exists(folder_ / "result.json") ? Json::parse(fileText(folder_ / "result.json")) : Json();
   }
 
-  std::string text_;   // standard output of the last check
+  std::string text_;  // standard output of the last check
 };
 
 TEST_F(CheckProgram, SaysOkAfterEachStageOfASoundScene) {
@@ -59,7 +59,8 @@ TEST_F(CheckProgram, SaysWhatDoesNotApplyToAForeignGrid) {
   const Json json = check({committed("foreign")}, 0);
   const Json& invariants = json["stages"][0]["invariants"];
   EXPECT_TRUE(invariants["inRange"]["holds"]);
-  for (const char* key : {"placed", "nothingStale", "staticFirst"}) EXPECT_NE(invariants[key]["whyNot"].get<std::string>().find("built by"), std::string::npos) << key;
+  for (const char* key : {"placed", "nothingStale", "staticFirst"})
+    EXPECT_NE(invariants[key]["whyNot"].get<std::string>().find("built by"), std::string::npos) << key;
   EXPECT_EQ(run({"check", committed("foreign"), "--stability", "2"}).exitCode, 2);
 }
 
@@ -85,12 +86,15 @@ TEST_F(CheckProgram, RefusesBudgetsThatItCannotJudge) {
 TEST_F(CheckProgram, SortedBuildsAreStableInEveryRepetition) {
   const Json json = check({"saturated-cell", "--size", "32x18", "--stability", "3"}, 0);
   EXPECT_EQ(json["stability"]["builds"], 3);
-  EXPECT_EQ(json["stability"]["setDiffers"].get<int>() + json["stability"]["orderDiffers"].get<int>() + json["stability"]["raysChange"].get<int>(), 0);
+  EXPECT_EQ(json["stability"]["setDiffers"].get<int>() + json["stability"]["orderDiffers"].get<int>() +
+                json["stability"]["raysChange"].get<int>(),
+            0);
   check({"saturated-cell", "--size", "32x18", "--stability", "3", "--fail-if", "stability.raysChange>0%", "--fail-if", "setDiffers>0%"}, 0);
 }
 
 TEST_F(CheckProgram, RenderWritesTheViewsOfTheTruthAndOfOtherFindings) {
-  const Ended ended = run({"render", "saturated-cell", "--size", "48x27", "--view", "truth,stability,rays,rays-slice,update,update-slice", "--out", "pictures"});
+  const Ended ended = run({"render", "saturated-cell", "--size", "48x27", "--view", "truth,stability,rays,rays-slice,update,update-slice",
+                           "--out", "pictures"});
   EXPECT_EQ(ended.exitCode, 0) << ended.err;
   for (const char* name : {"verdict", "cause", "error", "lost", "stability", "rays", "rays-slice", "update", "update-slice"})
     EXPECT_TRUE(fs::exists(folder_ / "pictures" / (std::string(name) + ".png"))) << name;

@@ -48,7 +48,6 @@ class Program : public ProgramTest {
     EXPECT_NE(outcome.err.find(named), std::string::npos) << line << outcome.err;
     EXPECT_EQ(outcome.out, "") << line;
   }
-
 };
 
 // Width and height of a PNG file; zeros when it is none.
@@ -68,7 +67,8 @@ TEST_F(Program, SaysItsVersion) {
 TEST_F(Program, HelpNamesUnitsAndDefaults) {
   const Ended outcome = run({"render", "--help"});
   EXPECT_EQ(outcome.exitCode, 0);
-  for (const char* text : {"--cells N=128", "--capacity N=32", "--ahead EDGES=0.75", "--size WxH=640x360", "--time SECONDS=0", "in cell edges", "--json FILE"})
+  for (const char* text :
+       {"--cells N=128", "--capacity N=32", "--ahead EDGES=0.75", "--size WxH=640x360", "--time SECONDS=0", "in cell edges", "--json FILE"})
     EXPECT_NE(outcome.out.find(text), std::string::npos) << text;
 }
 
@@ -126,14 +126,50 @@ TEST_F(Program, ListsScenesWithTheHallFirst) {
 
 TEST_F(Program, RendersEveryViewAndReportsEveryNumber) {
   const Json json = render({"saturated-cell", "--size", "48x27", "--view", "all", "--out", "pictures"});
-  for (const char* key : {"/device", "/driver", "/scene/triangles", "/scene/degenerate", "/scene/instances", "/scene/staticInstances",
-                          "/scene/dynamicInstances", "/scene/materials", "/grid/cells/2", "/grid/capacity", "/grid/stride", "/grid/stretch",
-                          "/grid/cellEdge", "/grid/origin/2", "/grid/bytes", "/references/tried", "/references/stored", "/references/refused",
-                          "/references/outside", "/references/staticStored", "/references/staticRefused", "/references/dynamicStored",
-                          "/references/dynamicRefused", "/cells/occupied", "/cells/saturated", "/cells/maxDemand", "/rays/count",
-                          "/rays/triangleHits", "/rays/voxelHits", "/rays/misses", "/visits/mean", "/visits/p99", "/visits/max", "/tests/mean",
-                          "/tests/p99", "/tests/max", "/timesMs/build", "/timesMs/clear", "/timesMs/add", "/timesMs/gather",
-                          "/timesMs/bounce", "/timesMs/trace", "/timesMs/views", "/timesMs/start"})
+  for (const char* key : {"/device",
+                          "/driver",
+                          "/scene/triangles",
+                          "/scene/degenerate",
+                          "/scene/instances",
+                          "/scene/staticInstances",
+                          "/scene/dynamicInstances",
+                          "/scene/materials",
+                          "/grid/cells/2",
+                          "/grid/capacity",
+                          "/grid/stride",
+                          "/grid/stretch",
+                          "/grid/cellEdge",
+                          "/grid/origin/2",
+                          "/grid/bytes",
+                          "/references/tried",
+                          "/references/stored",
+                          "/references/refused",
+                          "/references/outside",
+                          "/references/staticStored",
+                          "/references/staticRefused",
+                          "/references/dynamicStored",
+                          "/references/dynamicRefused",
+                          "/cells/occupied",
+                          "/cells/saturated",
+                          "/cells/maxDemand",
+                          "/rays/count",
+                          "/rays/triangleHits",
+                          "/rays/voxelHits",
+                          "/rays/misses",
+                          "/visits/mean",
+                          "/visits/p99",
+                          "/visits/max",
+                          "/tests/mean",
+                          "/tests/p99",
+                          "/tests/max",
+                          "/timesMs/build",
+                          "/timesMs/clear",
+                          "/timesMs/add",
+                          "/timesMs/gather",
+                          "/timesMs/bounce",
+                          "/timesMs/trace",
+                          "/timesMs/views",
+                          "/timesMs/start"})
     EXPECT_TRUE(json.contains(Json::json_pointer(key))) << key;
   EXPECT_FALSE(json.contains("frames"));
 
@@ -143,8 +179,9 @@ TEST_F(Program, RendersEveryViewAndReportsEveryNumber) {
   EXPECT_EQ(json["cells"]["occupancyHistogram"].size(), 17u);
   EXPECT_EQ(json["references"]["stored"].get<uint64_t>() + json["references"]["refused"].get<uint64_t>(), json["references"]["tried"]);
   EXPECT_GT(json["cells"]["saturated"], 0);
-  EXPECT_EQ(json["rays"]["triangleHits"].get<uint64_t>() + json["rays"]["voxelHits"].get<uint64_t>() + json["rays"]["misses"].get<uint64_t>(),
-            json["rays"]["count"]);
+  EXPECT_EQ(
+      json["rays"]["triangleHits"].get<uint64_t>() + json["rays"]["voxelHits"].get<uint64_t>() + json["rays"]["misses"].get<uint64_t>(),
+      json["rays"]["count"]);
   EXPECT_EQ(json["pictures"].size(), 14u);
   for (const std::string file : json["pictures"]) EXPECT_GT(pngSize(folder_ / file).first, 0u) << file;
 }
@@ -165,8 +202,10 @@ TEST_F(Program, WritesAPictureWithoutLegendAtTheFramesSize) {
 }
 
 TEST_F(Program, NumbersThePicturesOfSeveralFrames) {
-  const Json json = render({"moving-crowd", "--size", "32x18", "--view", "final,visits", "--frames", "2", "--frame-step", "0.5", "--update", "moved"});
-  for (const char* file : {"out/final.0000.png", "out/final.0001.png", "out/visits.0000.png", "out/visits.0001.png"}) EXPECT_TRUE(fs::exists(folder_ / file)) << file;
+  const Json json =
+      render({"moving-crowd", "--size", "32x18", "--view", "final,visits", "--frames", "2", "--frame-step", "0.5", "--update", "moved"});
+  for (const char* file : {"out/final.0000.png", "out/final.0001.png", "out/visits.0000.png", "out/visits.0001.png"})
+    EXPECT_TRUE(fs::exists(folder_ / file)) << file;
   ASSERT_EQ(json["frames"].size(), 2u);
   EXPECT_EQ(json["frames"][1]["timeSeconds"], 0.5);
   for (const char* key : {"references", "cells", "rays", "timesMs", "update"}) EXPECT_TRUE(json["frames"][0].contains(key)) << key;

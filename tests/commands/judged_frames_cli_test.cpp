@@ -38,7 +38,10 @@ class JudgedFrames : public ProgramTest {
   }
 
   void writeSequence() {
-    ASSERT_EQ(run({"capture", "moving-crowd", "--size", "32x18", "--cells", "12", "--capacity", "4", "--sequence", "3", "--frame-step", "0.7", "-o", "sequence.gridcap"}).exitCode, 0);
+    ASSERT_EQ(run({"capture", "moving-crowd", "--size", "32x18", "--cells", "12", "--capacity", "4", "--sequence", "3", "--frame-step",
+                   "0.7", "-o", "sequence.gridcap"})
+                  .exitCode,
+              0);
   }
 
   // The second column of a row of a table on a page: the first row whose first column has that text.
@@ -102,7 +105,9 @@ TEST_F(JudgedFrames, AFrameOfASequenceIsChosenAndNamed) {
   EXPECT_EQ(last["frame"], 2);
   EXPECT_EQ(last["foreignHits"], 0);
   EXPECT_NE(first["verdicts"], last["verdicts"]);
-  EXPECT_EQ(results({"explain", "moving-crowd", "--size", "32x18", "--cells", "12", "--capacity", "4", "--frame-step", "0.7", "--frame", "2"})["verdicts"], last["verdicts"]);
+  EXPECT_EQ(results({"explain", "moving-crowd", "--size", "32x18", "--cells", "12", "--capacity", "4", "--frame-step", "0.7", "--frame",
+                     "2"})["verdicts"],
+            last["verdicts"]);
   ASSERT_EQ(run({"report", "sequence.gridcap", "--frame", "2", "-o", "report.html"}).exitCode, 0);
   EXPECT_EQ(figureOf(fileText(folder_ / "report.html"), "wrong"), grouped(last["wrong"].get<uint64_t>()));
   const Ended beyond = run({"explain", "sequence.gridcap", "--frame", "3"});
@@ -123,7 +128,8 @@ void makeForeign(Capture& capture) {
     for (cell.z = 0; cell.z < before.cellCount.z; ++cell.z)
       for (cell.y = 0; cell.y < before.cellCount.y; ++cell.y)
         for (cell.x = 0; cell.x < before.cellCount.x; ++cell.x)
-          for (int slot = 0; slot < before.capacity; ++slot) to.at(gridTexel(to.parameters, cell, slot)) = from.at(gridTexel(before, cell, slot));
+          for (int slot = 0; slot < before.capacity; ++slot)
+            to.at(gridTexel(to.parameters, cell, slot)) = from.at(gridTexel(before, cell, slot));
     frame.grid = std::move(to.texels);
   }
 }
@@ -137,7 +143,8 @@ TEST_F(JudgedFrames, AFramesInstancesStandWhereItsOwnTransformsPutThemEvenWhenNo
   const Json foreign = results({"check", "engine.gridcap", "--fail-if", "wrong<0"});
   for (int frame = 0; frame < 3; ++frame) {
     EXPECT_EQ(foreign["frames"][frame]["verdicts"], own["frames"][frame]["verdicts"]) << frame;
-    EXPECT_EQ(results({"explain", "engine.gridcap", "--frame", std::to_string(frame)})["verdicts"], own["frames"][frame]["verdicts"]) << frame;
+    EXPECT_EQ(results({"explain", "engine.gridcap", "--frame", std::to_string(frame)})["verdicts"], own["frames"][frame]["verdicts"])
+        << frame;
   }
 }
 
@@ -166,15 +173,17 @@ TEST_F(JudgedFrames, AFigureThatThereIsNotIsRefusedBeforeTheWork) {
 }
 
 TEST_F(JudgedFrames, BudgetsTakeCausesByTheirShortNamesAndProofsByPlace) {
-  results({"check", "saturated-cell", "--size", "32x18", "--fail-if", "gate>100%", "--fail-if", "steppedOver>100%", "--fail-if", "stages.0.invariants.sum.count>0"});
-  const Json json = results({"explain", "saturated-cell", "--size", "96x54", "--verify", "--fail-if", "confirmedShare<99%", "--fail-if", "control.share>100%"});
+  results({"check", "saturated-cell", "--size", "32x18", "--fail-if", "gate>100%", "--fail-if", "steppedOver>100%", "--fail-if",
+           "stages.0.invariants.sum.count>0"});
+  const Json json = results(
+      {"explain", "saturated-cell", "--size", "96x54", "--verify", "--fail-if", "confirmedShare<99%", "--fail-if", "control.share>100%"});
   for (const auto& [cause, counts] : json["confirmed"].items())
     if (counts[2] > 0) results({"explain", "saturated-cell", "--size", "96x54", "--verify", "--fail-if", "confirmed." + cause + ".2>0"}, 1);
 }
 
 TEST_F(JudgedFrames, APageShowsTheFiguresOfExplain) {
   const std::vector<std::string> frame = {"moving-crowd", "--size", "64x36", "--cells", "12", "--capacity", "4"};
-  std::vector<std::string> explain = frame, report = frame;   // the page proves so few causes without being asked
+  std::vector<std::string> explain = frame, report = frame;  // the page proves so few causes without being asked
   explain.insert(explain.begin(), {"explain", "--verify"});
   report.insert(report.begin(), "report");
   const Json json = results(explain);
@@ -184,9 +193,11 @@ TEST_F(JudgedFrames, APageShowsTheFiguresOfExplain) {
   EXPECT_EQ(figureOf(page, "wrong"), grouped(json["wrong"].get<uint64_t>()));
   EXPECT_EQ(figureOf(page, "agrees, hit"), grouped(json["agree"]["hit"].get<uint64_t>()));
   EXPECT_EQ(figureOf(page, "agrees, miss"), grouped(json["agree"]["miss"].get<uint64_t>()));
-  const std::pair<const char*, const char*> verdicts[] = {{"hole", "hole"}, {"voxel right", "voxelRight"}, {"voxel wrong", "voxelWrong"}, {"too far", "far"}, {"too near", "near"}};
+  const std::pair<const char*, const char*> verdicts[] = {
+      {"hole", "hole"}, {"voxel right", "voxelRight"}, {"voxel wrong", "voxelWrong"}, {"too far", "far"}, {"too near", "near"}};
   for (const auto& [title, key] : verdicts) EXPECT_EQ(figureOf(page, title), grouped(json["verdicts"][key].get<uint64_t>())) << key;
-  const std::pair<const char*, const char*> causes[] = {{"refused", "refused"}, {"stepped over", "steppedOver"}, {"gate", "gate"}, {"filled early", "filledEarly"}};
+  const std::pair<const char*, const char*> causes[] = {
+      {"refused", "refused"}, {"stepped over", "steppedOver"}, {"gate", "gate"}, {"filled early", "filledEarly"}};
   const size_t proofs = page.find("Proofs:");
   ASSERT_NE(proofs, std::string::npos);
   for (const auto& [title, key] : causes) {
@@ -196,21 +207,29 @@ TEST_F(JudgedFrames, APageShowsTheFiguresOfExplain) {
   }
   const std::string costs = page.substr(page.find("The ten cells"));
   const Json& cell = json["worstCells"][0];
-  EXPECT_EQ(figureOf(costs, "cell \\(" + cell["cell"][0].dump() + ", " + cell["cell"][1].dump() + ", " + cell["cell"][2].dump() + "\\)"), grouped(cell["rays"].get<uint64_t>()));
-  for (const char* view : {"view-rays", "view-rays-slice"}) EXPECT_NE(page.find("id=\"" + std::string(view) + "\""), std::string::npos) << view;
+  EXPECT_EQ(figureOf(costs, "cell \\(" + cell["cell"][0].dump() + ", " + cell["cell"][1].dump() + ", " + cell["cell"][2].dump() + "\\)"),
+            grouped(cell["rays"].get<uint64_t>()));
+  for (const char* view : {"view-rays", "view-rays-slice"})
+    EXPECT_NE(page.find("id=\"" + std::string(view) + "\""), std::string::npos) << view;
 }
 
 TEST_F(JudgedFrames, APageShowsUpdatesOfALaterFrameAndTheOrderOfArrivalWhereItMatters) {
-  ASSERT_EQ(run({"report", "moving-crowd", "--size", "32x18", "--cells", "12", "--frame", "1", "--frame-step", "0.5", "--insertion", "first-come", "-o", "report.html"}).exitCode, 0);
+  ASSERT_EQ(run({"report", "moving-crowd", "--size", "32x18", "--cells", "12", "--frame", "1", "--frame-step", "0.5", "--insertion",
+                 "first-come", "-o", "report.html"})
+                .exitCode,
+            0);
   const std::string page = fileText(folder_ / "report.html");
-  for (const char* view : {"update", "update-slice", "stability"}) EXPECT_NE(page.find("id=\"view-" + std::string(view) + "\""), std::string::npos) << view;
+  for (const char* view : {"update", "update-slice", "stability"})
+    EXPECT_NE(page.find("id=\"view-" + std::string(view) + "\""), std::string::npos) << view;
   ASSERT_EQ(run({"report", "moving-crowd", "--size", "32x18", "--cells", "12", "-o", "first.html"}).exitCode, 0);
   const std::string first = fileText(folder_ / "first.html");
-  for (const char* view : {"update", "stability"}) EXPECT_EQ(first.find("id=\"view-" + std::string(view) + "\""), std::string::npos) << view;
+  for (const char* view : {"update", "stability"})
+    EXPECT_EQ(first.find("id=\"view-" + std::string(view) + "\""), std::string::npos) << view;
 }
 
 TEST_F(JudgedFrames, TheOwnSettingOfAForeignGridIsTheShapeThatWasCaptured) {
-  const Json json = results({"tune", foreign(), "--cells-axis", "8", "--capacity-axis", "4", "--overlap-axis", "plane", "--traversal-axis", "dda", "--gate-axis", "1.75", "--runs", "1"});
+  const Json json = results({"tune", foreign(), "--cells-axis", "8", "--capacity-axis", "4", "--overlap-axis", "plane", "--traversal-axis",
+                             "dda", "--gate-axis", "1.75", "--runs", "1"});
   EXPECT_EQ(json["own"]["cellEdge"], 0.5);
   EXPECT_EQ(json["own"]["capacity"], 4);
   EXPECT_EQ(json["own"]["bytes"], 10 * 8 * 10 * 6 * 4) << "two reserved texels";

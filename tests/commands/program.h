@@ -24,7 +24,7 @@ inline std::string fileText(const std::filesystem::path& file) {
 class ProgramTest : public testing::Test {
  protected:
   struct Ended {
-    int exitCode;        // -1: by a signal
+    int exitCode;  // -1: by a signal
     std::string out;
     std::string err;
   };
@@ -44,7 +44,8 @@ class ProgramTest : public testing::Test {
     argv.push_back(nullptr);
     const pid_t child = fork();
     if (child == 0) {
-      const int outFile = open(out.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600), errFile = open(err.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
+      const int outFile = open(out.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600),
+                errFile = open(err.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
       if (chdir(folder_.c_str()) != 0 || dup2(outFile, 1) < 0 || dup2(errFile, 2) < 0) _exit(127);
       execvp(argv[0], argv.data());
       _exit(127);

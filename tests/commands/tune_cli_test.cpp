@@ -6,8 +6,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "tests/views/markup_check.h"
 #include "tests/commands/program.h"
+#include "tests/views/markup_check.h"
 
 namespace gridscope {
 namespace {
@@ -18,8 +18,26 @@ class TuneProgram : public ProgramTest {
  protected:
   // A sweep of few settings over a scene of few triangles.
   std::vector<std::string> sweep(std::vector<std::string> more) {
-    std::vector<std::string> arguments = {"tune", "saturated-cell", "--size", "32x18", "--cells-axis", "8,16", "--capacity-axis", "4,16", "--overlap-axis", "plane",
-                                          "--back-axis", "1", "--ahead-axis", "0.75,1", "--gate-axis", "1.75", "--runs", "1", "--json", "tune.json"};
+    std::vector<std::string> arguments = {"tune",
+                                          "saturated-cell",
+                                          "--size",
+                                          "32x18",
+                                          "--cells-axis",
+                                          "8,16",
+                                          "--capacity-axis",
+                                          "4,16",
+                                          "--overlap-axis",
+                                          "plane",
+                                          "--back-axis",
+                                          "1",
+                                          "--ahead-axis",
+                                          "0.75,1",
+                                          "--gate-axis",
+                                          "1.75",
+                                          "--runs",
+                                          "1",
+                                          "--json",
+                                          "tune.json"};
     arguments.insert(arguments.end(), more.begin(), more.end());
     return arguments;
   }
@@ -41,8 +59,8 @@ TEST_F(TuneProgram, TriesEverySettingAndWritesTheResults) {
     for (const auto& [key, count] : row["verdicts"].items()) sum += count.get<uint64_t>();
     EXPECT_EQ(sum, row["rays"].get<uint64_t>()) << row.dump();
     const Json& verdicts = row["verdicts"];
-    EXPECT_EQ(row["wrong"].get<uint64_t>(), verdicts["hole"].get<uint64_t>() + verdicts["voxelWrong"].get<uint64_t>() + verdicts["far"].get<uint64_t>() +
-                                                verdicts["near"].get<uint64_t>());
+    EXPECT_EQ(row["wrong"].get<uint64_t>(), verdicts["hole"].get<uint64_t>() + verdicts["voxelWrong"].get<uint64_t>() +
+                                                verdicts["far"].get<uint64_t>() + verdicts["near"].get<uint64_t>());
   }
   EXPECT_LE(json["recommended"]["wrong"].get<uint64_t>(), json["own"]["wrong"].get<uint64_t>());
   EXPECT_EQ(markupFault(fileText(folder_ / "tune.svg")), "");
@@ -63,8 +81,10 @@ TEST_F(TuneProgram, ARecommendedSettingRendersAsTheSweepSaid) {
 }
 
 TEST_F(TuneProgram, WhatCannotBeHeldIsNamedAndTheRestIsTried) {
-  const Ended outcome = run({"tune", "saturated-cell", "--size", "32x18", "--cells-axis", "8,100000", "--capacity-axis", "4", "--overlap-axis", "plane", "--number-by-axis",
-                             "file", "--traversal-axis", "segment", "--back-axis", "1", "--ahead-axis", "0.75", "--gate-axis", "1.75", "--runs", "1", "--json", "tune.json"});
+  const Ended outcome = run(
+      {"tune",           "saturated-cell", "--size",           "32x18", "--cells-axis",     "8,100000", "--capacity-axis", "4",
+       "--overlap-axis", "plane",          "--number-by-axis", "file",  "--traversal-axis", "segment",  "--back-axis",     "1",
+       "--ahead-axis",   "0.75",           "--gate-axis",      "1.75",  "--runs",           "1",        "--json",          "tune.json"});
   ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
   const Json json = Json::parse(fileText(folder_ / "tune.json"));
   size_t refused = 0;
@@ -74,8 +94,11 @@ TEST_F(TuneProgram, WhatCannotBeHeldIsNamedAndTheRestIsTried) {
 }
 
 TEST_F(TuneProgram, RefusesBadAxesAndPlots) {
-  for (const std::vector<std::string>& arguments : {std::vector<std::string>{"--cells-axis", "0"}, {"--capacity-axis", "4,x"}, {"--overlap-axis", "round"},
-                                                    {"--plot", "plot.gif"}, {"--gate-axis", "-1"}}) {
+  for (const std::vector<std::string>& arguments : {std::vector<std::string>{"--cells-axis", "0"},
+                                                    {"--capacity-axis", "4,x"},
+                                                    {"--overlap-axis", "round"},
+                                                    {"--plot", "plot.gif"},
+                                                    {"--gate-axis", "-1"}}) {
     std::vector<std::string> all = {"tune", "saturated-cell"};
     all.insert(all.end(), arguments.begin(), arguments.end());
     const Ended outcome = run(all);
@@ -86,7 +109,9 @@ TEST_F(TuneProgram, RefusesBadAxesAndPlots) {
 
 TEST_F(TuneProgram, AnInterruptKeepsWhatIsDone) {
   // The program is interrupted while its long sweep runs; `timeout` sends the signal and hands the exit code through.
-  const Ended outcome = run({"--preserve-status", "--signal=INT", "6", GRIDSCOPE_PROGRAM, "tune", "saturated-cell", "--size", "64x36", "--runs", "1000", "--json", "tune.json"}, "timeout");
+  const Ended outcome = run({"--preserve-status", "--signal=INT", "6", GRIDSCOPE_PROGRAM, "tune", "saturated-cell", "--size", "64x36",
+                             "--runs", "1000", "--json", "tune.json"},
+                            "timeout");
   ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
   EXPECT_NE(outcome.out.find("stopped early"), std::string::npos) << outcome.out;
   const Json json = Json::parse(fileText(folder_ / "tune.json"));
@@ -99,17 +124,20 @@ TEST_F(ReportProgram, IsOneWellFormedPageWithEverySection) {
   ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
   const std::string page = fileText(folder_ / "report.html");
   EXPECT_EQ(markupFault(page), "");
-  for (const char* id : {"pictures", "verdicts", "costs", "plots", "statistics", "settings", "device", "view-final", "view-verdict", "view-cause", "view-error", "view-lost"})
+  for (const char* id : {"pictures", "verdicts", "costs", "plots", "statistics", "settings", "device", "view-final", "view-verdict",
+                         "view-cause", "view-error", "view-lost"})
     EXPECT_NE(page.find("id=\"" + std::string(id) + "\""), std::string::npos) << id;
-  for (const char* text : {"The ten meshes that cost the most rays", "The ten cells", "The worst rays", "voxel wrong", "data:image/png;base64,iVBOR", "--capacity",
-                           "gridscope report moving-crowd --size 64x36 -o report.html", "References that cells were asked to take"})
+  for (const char* text :
+       {"The ten meshes that cost the most rays", "The ten cells", "The worst rays", "voxel wrong", "data:image/png;base64,iVBOR",
+        "--capacity", "gridscope report moving-crowd --size 64x36 -o report.html", "References that cells were asked to take"})
     EXPECT_NE(page.find(text), std::string::npos) << text;
 }
 
 TEST_F(ReportProgram, NeedsNoNetwork) {
   ASSERT_EQ(run({"report", "moving-crowd", "--size", "32x18", "-o", "report.html"}).exitCode, 0);
   const std::string page = fileText(folder_ / "report.html");
-  for (const char* text : {"http://", "https://", "@import", "url(", "<link", "src=\"//"}) EXPECT_EQ(page.find(text), std::string::npos) << text;
+  for (const char* text : {"http://", "https://", "@import", "url(", "<link", "src=\"//"})
+    EXPECT_EQ(page.find(text), std::string::npos) << text;
 }
 
 // A triangle in a file whose names are markup.

@@ -15,15 +15,24 @@ FrameSettings readBack(const FrameRequest& request) { return loadScene(optionsFr
 
 TEST(FrameArguments, EverySettingComesBackBitForBit) {
   FrameSettings settings;
-  settings.grid = {.cells = 77, .cellEdge = 0.1234567f, .capacity = 9, .bounds = Bounds{vec3(-1.1f, 0.2f, 0.3f), vec3(4.4f, 5.5f, 6.6f)}, .stretch = Stretch::z,
-                   .builder = Builder::raster, .insertion = kInsertionFirstCome, .overlap = kOverlapExact, .enlargement = 1.1f, .numberBy = NumberBy::area,
+  settings.grid = {.cells = 77,
+                   .cellEdge = 0.1234567f,
+                   .capacity = 9,
+                   .bounds = Bounds{vec3(-1.1f, 0.2f, 0.3f), vec3(4.4f, 5.5f, 6.6f)},
+                   .stretch = Stretch::z,
+                   .builder = Builder::raster,
+                   .insertion = kInsertionFirstCome,
+                   .overlap = kOverlapExact,
+                   .enlargement = 1.1f,
+                   .numberBy = NumberBy::area,
                    .update = UpdateMode::moved};
-  settings.trace = {.traversal = kTraversalDda, .back = 0.7f, .ahead = 1.3f, .tMin = 0.002f, .gapFill = false, .gate = 2.1f, .maxSegments = 55};
+  settings.trace = {
+      .traversal = kTraversalDda, .back = 0.7f, .ahead = 1.3f, .tMin = 0.002f, .gapFill = false, .gate = 2.1f, .maxSegments = 55};
   settings.bounce = {.seed = 7, .roughness = 0.33f};
   settings.width = 123, settings.height = 45, settings.textureSize = 256;
   settings.camera = {.eye = vec3(1.1f, 2.2f, 3.3f), .target = vec3(0.1f, 0.2f, 0.3f), .verticalFovDegrees = 51.5f};
   FrameSettings read = readBack({.source = {.scene = "hall"}, .settings = settings});
-  EXPECT_EQ(read.grid.cells, 128u);   // the edge replaces it
+  EXPECT_EQ(read.grid.cells, 128u);  // the edge replaces it
   read.grid.cells = settings.grid.cells;
   EXPECT_TRUE(sameSettings(read, settings));
 }
@@ -38,7 +47,8 @@ TEST(FrameArguments, WhatABuiltInSceneBringsIsReplacedByWhatTheFrameHas) {
 }
 
 TEST(FrameArguments, ASceneIsSaidWithItsTeapotsAndTimeAndACaptureAlone) {
-  const Options options = optionsFrom(frameArguments({.source = {.scene = "hall", .teapots = 3, .moving = 2}, .settings = FrameSettings{}, .timeSeconds = 1.25}));
+  const Options options = optionsFrom(
+      frameArguments({.source = {.scene = "hall", .teapots = 3, .moving = 2}, .settings = FrameSettings{}, .timeSeconds = 1.25}));
   EXPECT_EQ(options.teapots, 3u);
   EXPECT_EQ(options.moving, 2u);
   EXPECT_EQ(options.time, 1.25);
@@ -50,7 +60,8 @@ TEST(FrameArguments, AReportIsOfTheFrameThatIsShown) {
   const Options options = optionsFrom(reportArguments(request, 0.02));
   EXPECT_EQ(options.frame, 46u);
   EXPECT_NEAR(options.time + double(options.frame) * options.frameStep, request.timeSeconds, 1e-9);
-  EXPECT_EQ(reportArguments({.source = {.scene = "a.gridcap"}, .settings = FrameSettings{}, .frame = 3}, 0.02), (std::vector<std::string>{"a.gridcap", "--frame", "3"}));
+  EXPECT_EQ(reportArguments({.source = {.scene = "a.gridcap"}, .settings = FrameSettings{}, .frame = 3}, 0.02),
+            (std::vector<std::string>{"a.gridcap", "--frame", "3"}));
 }
 
 }  // namespace

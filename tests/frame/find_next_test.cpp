@@ -56,7 +56,13 @@ TEST(FindNext, NeighboursLeaveOutPixelsWithoutARay) {
 }
 
 TEST(FindNext, FullCellsComeByFallingDemand) {
-  Grid grid = makeEmptyGrid({.cellEdge = 1.0f, .cellCount = ivec3(3, 1, 1), .inverseCellEdge = 1.0f, .capacity = 2, .reserved = 2, .stride = 4, .stretchAxis = 1});
+  Grid grid = makeEmptyGrid({.cellEdge = 1.0f,
+                             .cellCount = ivec3(3, 1, 1),
+                             .inverseCellEdge = 1.0f,
+                             .capacity = 2,
+                             .reserved = 2,
+                             .stride = 4,
+                             .stretchAxis = 1});
   EXPECT_EQ(nextFullCell(occupiedCells(grid), {}), std::nullopt);
   const auto fill = [&](int x, int stored, uint32_t refused) {
     for (int slot = 0; slot < stored; ++slot) grid.at(gridTexel(grid.parameters, ivec3(x, 0, 0), slot)) = uint32_t(slot);

@@ -65,7 +65,7 @@ TEST(Projection, SurfacesHideTheFarPartOfALine) {
   const CameraParameters camera = testCamera();
   std::vector<GatherPixel> gather(160 * 90);
   for (uint32_t i = 0; i < gather.size(); ++i) {
-    gather[i].reference = i % 160 < 80 ? 0u : kBlank;   // a wall on the left half, the sky on the right
+    gather[i].reference = i % 160 < 80 ? 0u : kBlank;  // a wall on the left half, the sky on the right
     gather[i].depth = 3.0f;
   }
   const WorldLine across{pointThrough(camera, {20.0f, 45.0f}, 4.0f), pointThrough(camera, {140.0f, 45.0f}, 4.0f)};
@@ -112,7 +112,8 @@ TEST(CellBoxes, NeighboursShareTheirEdges) {
   GridParameters grid{};
   grid.cellEdge = 1.0f;
   grid.cellCount = ivec3(4);
-  const std::vector<BoxCell> cells{{{.cell = ivec3(1), .stored = 3}}, {{.cell = ivec3(2, 1, 1), .stored = 5, .refused = 2, .saturated = true}}};
+  const std::vector<BoxCell> cells{{{.cell = ivec3(1), .stored = 3}},
+                                   {{.cell = ivec3(2, 1, 1), .stored = 5, .refused = 2, .saturated = true}}};
   const std::vector<BoxEdge> edges = boxEdgesOf(cells, grid, boxMeasures()[0]);
   EXPECT_EQ(edges.size(), 20u);
   EXPECT_EQ(std::count_if(edges.begin(), edges.end(), [](const BoxEdge& edge) { return edge.saturated; }), 12);
@@ -127,7 +128,9 @@ TEST(CellBoxes, TheNearestInViewAndInRangeAreChosen) {
   grid.cellCount = ivec3(16);
   const CameraParameters camera = testCamera();
   std::vector<BoxCell> cells;
-  forEachCell(grid, [&](const ivec3& cell) { cells.push_back({{.cell = cell, .stored = uint32_t(cell.z)}, {.read = 100u + uint32_t(cell.x), .empty = 0}}); });
+  forEachCell(grid, [&](const ivec3& cell) {
+    cells.push_back({{.cell = cell, .stored = uint32_t(cell.z)}, {.read = 100u + uint32_t(cell.x), .empty = 0}});
+  });
   Overlays overlays;
   EXPECT_EQ(chooseBoxes(cells, grid, overlays, camera, 10).wanted, 0u) << "nothing is switched on";
   overlays.cellBoxes = true;
@@ -152,7 +155,9 @@ TEST(CellBoxes, AMeasureOfRaysChoosesByRays) {
   grid.inverseCellEdge = 1.0f;
   grid.cellCount = ivec3(16);
   std::vector<BoxCell> cells;
-  forEachCell(grid, [&](const ivec3& cell) { cells.push_back({{.cell = cell, .stored = 4}, {.read = 100u + uint32_t(cell.x), .empty = 0}}); });
+  forEachCell(grid, [&](const ivec3& cell) {
+    cells.push_back({{.cell = cell, .stored = 4}, {.read = 100u + uint32_t(cell.x), .empty = 0}});
+  });
   Overlays overlays;
   overlays.cellBoxes = true;
   for (size_t i = 0; i < boxMeasures().size(); ++i) {

@@ -16,10 +16,11 @@ Sheet smallSheet() {
   sheet.ids = {321, 331, 21};
   const ivec3 extent(20, 5, 9);
   const auto number = [&](int x, int y, int z) { return double((z * extent.y + y) * extent.x + x); };
-  sheet.columns = {{.title = "cell", .kind = ColumnKind::place, .values = {number(1, 2, 3), number(11, 2, 3), number(1, 2, 0)}, .extent = extent},
-                   {.title = "refused", .kind = ColumnKind::whole, .values = {1234, 0, NAN}},
-                   {.title = "cause", .kind = ColumnKind::word, .values = {1, 0, 1}, .words = {"stepped over", "Gate, \"held\""}},
-                   {.title = "t", .kind = ColumnKind::decimal, .values = {4.30267, 0.05, 12}}};
+  sheet.columns = {
+      {.title = "cell", .kind = ColumnKind::place, .values = {number(1, 2, 3), number(11, 2, 3), number(1, 2, 0)}, .extent = extent},
+      {.title = "refused", .kind = ColumnKind::whole, .values = {1234, 0, NAN}},
+      {.title = "cause", .kind = ColumnKind::word, .values = {1, 0, 1}, .words = {"stepped over", "Gate, \"held\""}},
+      {.title = "t", .kind = ColumnKind::decimal, .values = {4.30267, 0.05, 12}}};
   return sheet;
 }
 

@@ -28,15 +28,20 @@ struct SmallFrame {
     FrameSettings wanted{.grid = settings(), .width = 4, .height = 2};
     frame.request.settings = wanted;
     frame.hits = std::make_shared<const std::vector<Hit>>(hits());
-    frame.counters = std::make_shared<const std::vector<RayCounters>>(std::vector<RayCounters>{{0, 0}, {1, 10}, {2, 20}, {3, 30}, {4, 40}, {5, 50}, {6, 60}, {7, 70}});
+    frame.counters = std::make_shared<const std::vector<RayCounters>>(
+        std::vector<RayCounters>{{0, 0}, {1, 10}, {2, 20}, {3, 30}, {4, 40}, {5, 50}, {6, 60}, {7, 70}});
   }
 
   // Adds the truth: pixel 3 is a hole, stepped over; 4 a voxel hit that is wrong, refused; 6 another hole, refused; the others agree.
   void tellTruth() {
     std::vector<RayTruth> truths(8);
     for (uint32_t pixel = 0; pixel < 8; ++pixel)
-      truths[pixel] = {.verdict = pixel == 0 ? kVerdictNoRay : kVerdictAgrees, .cause = kCauseNone, .exactReference = kBlank, .cell = ivec3(-1),
-                       .reference = kBlank, .segment = -1};
+      truths[pixel] = {.verdict = pixel == 0 ? kVerdictNoRay : kVerdictAgrees,
+                       .cause = kCauseNone,
+                       .exactReference = kBlank,
+                       .cell = ivec3(-1),
+                       .reference = kBlank,
+                       .segment = -1};
     truths[3].verdict = truths[6].verdict = kVerdictHole;
     truths[4].verdict = kVerdictVoxelWrong;
     truths[3].cause = kCauseSteppedOver;

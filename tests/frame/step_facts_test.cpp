@@ -19,7 +19,8 @@ struct SteppedFrame {
   explicit SteppedFrame(TraceSettings trace = {}) {
     const auto upright = [](float x, float y, float z) { return Triangle{{x, y, z}, {x, y + 0.3f, z}, {x, y, z + 0.3f}}; };
     Scene scene = emptyScene();
-    placeMesh(scene, addMesh(scene, meshOf({upright(3.5f, 0.6f, 0.6f), upright(4.4f, 0.6f, 0.6f), upright(4.5f, 0.6f, 0.6f), upright(4.6f, 0.4f, 0.4f)})));
+    placeMesh(scene, addMesh(scene, meshOf({upright(3.5f, 0.6f, 0.6f), upright(4.4f, 0.6f, 0.6f), upright(4.5f, 0.6f, 0.6f),
+                                            upright(4.6f, 0.4f, 0.4f)})));
     GridSettings settings{.cellEdge = 1.0f, .capacity = 2, .overlap = kOverlapExact, .enlargement = 1.0f};
     settings.bounds = Bounds{vec3(0.0f), vec3(8.0f, 2.0f, 2.0f)};
     built = std::make_unique<BuiltScene>(scene, settings);
@@ -56,7 +57,8 @@ TEST(StepFacts, EveryStepHasTheKindOfWhatBecameOfIt) {
   SteppedFrame scene;
   std::vector<StepOutcome> kinds;
   for (uint32_t step = 0; step < scene.ray().record.steps.size(); ++step) kinds.push_back(stepOutcome(scene.ray().record, step));
-  EXPECT_EQ(kinds, (std::vector<StepOutcome>{StepOutcome::empty, StepOutcome::empty, StepOutcome::empty, StepOutcome::tested, StepOutcome::voxelHit}));
+  EXPECT_EQ(kinds, (std::vector<StepOutcome>{StepOutcome::empty, StepOutcome::empty, StepOutcome::empty, StepOutcome::tested,
+                                             StepOutcome::voxelHit}));
 }
 
 TEST(StepFacts, AGateThatIsNotReachedIsSaidWithItsNumbers) {
@@ -120,7 +122,8 @@ TEST(StepFacts, TheSentenceNamesCellCountsAndTheTriangleThatWasRefused) {
   const Sentence sentence = explainStep(*scene.frame, scene.ray(), scene.facts(4));
   const std::string text = plainText(sentence);
   EXPECT_NE(text.find("Voxel hit: cell "), std::string::npos) << text;
-  EXPECT_NE(text.find("is saturated: 3 references tried, 2 stored; triangle 3 of row was refused and would be hit."), std::string::npos) << text;
+  EXPECT_NE(text.find("is saturated: 3 references tried, 2 stored; triangle 3 of row was refused and would be hit."), std::string::npos)
+      << text;
   int links = 0;
   for (const SentencePart& part : sentence) links += part.link != SentencePart::Link::none;
   EXPECT_EQ(links, 3);

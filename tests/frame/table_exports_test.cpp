@@ -28,7 +28,8 @@ TEST(TableExports, CausesComeWithTheirProofsOnceThereAreAny) {
 TEST(TableExports, MeshesAndCellsThatCostRaysComeTheWorstFirst) {
   Ledger ledger;
   ledger.meshes = {{.index = 0, .stored = 5, .lost = 1, .rays = 2}, {.index = 1, .stored = 9, .lost = 4, .rays = 7}, {.index = 2}};
-  ledger.cells = {{.cell = ivec3(1, 2, 3), .tried = 4, .stored = 2, .refused = 2, .rays = 1}, {.cell = ivec3(0), .tried = 9, .stored = 2, .refused = 7, .rays = 5}};
+  ledger.cells = {{.cell = ivec3(1, 2, 3), .tried = 4, .stored = 2, .refused = 2, .rays = 1},
+                  {.cell = ivec3(0), .tried = 9, .stored = 2, .refused = 7, .rays = 5}};
   const CsvRows meshes = meshRows(ledger, {.scene = "test", .meshes = {"wall"}, .instances = {}, .materials = {}});
   ASSERT_EQ(meshes.size(), 3u);
   EXPECT_EQ(meshes[1][0], "mesh 1");
@@ -37,7 +38,8 @@ TEST(TableExports, MeshesAndCellsThatCostRaysComeTheWorstFirst) {
 }
 
 TEST(TableExports, AFileIsWrittenBesideWhatIsThereAndSaidWithItsRows) {
-  const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "gridscope_table_exports", before = std::filesystem::current_path();
+  const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "gridscope_table_exports",
+                              before = std::filesystem::current_path();
   std::filesystem::remove_all(folder);
   std::filesystem::create_directories(folder);
   std::filesystem::current_path(folder);

@@ -41,7 +41,8 @@ TEST(TableRows, TrianglesCountTheCellsThatHoldThemAndLossesWaitForTheLedger) {
   EXPECT_EQ(shown(sheet, makeReference(1, 0))[size_t(TriangleColumn::mesh)], "post");
 
   Ledger ledger;
-  ledger.triangles = {{makeReference(0, 0), 1, 0, 0}, {makeReference(0, 1), 1, 0, 0}, {makeReference(0, 2), 0, 1, 7}, {makeReference(1, 0), 1, 0, 0}};
+  ledger.triangles = {
+      {makeReference(0, 0), 1, 0, 0}, {makeReference(0, 1), 1, 0, 0}, {makeReference(0, 2), 0, 1, 7}, {makeReference(1, 0), 1, 0, 0}};
   small.frame.ledger = std::make_shared<const Ledger>(ledger);
   sheet = makeSheet(TableKind::triangles, small.frame, {});
   EXPECT_EQ(shown(sheet, makeReference(0, 2)), (Texts{"0x00000002", "floor", "2", "0.180", "0", "1", kDash}));

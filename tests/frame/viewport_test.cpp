@@ -69,11 +69,11 @@ TEST(Callout, StaysInThePaneAndOffTheRay) {
   std::vector<vec2> ray;
   for (int i = 0; i <= 80; ++i) ray.push_back(at + vec2(5.0f, 2.0f) * float(i - 40));
   const vec2 low = placeCallout(pane, at, size, ray, {}, 1.0f);
-  for (const vec2& point : ray)
-    EXPECT_FALSE(point.x > low.x && point.y > low.y && point.x < low.x + size.x && point.y < low.y + size.y);
+  for (const vec2& point : ray) EXPECT_FALSE(point.x > low.x && point.y > low.y && point.x < low.x + size.x && point.y < low.y + size.y);
   const std::vector<Area> taken{{low - 10.0f, low + size + 10.0f}};
   const vec2 second = placeCallout(pane, at, size, ray, taken, 1.0f);
-  EXPECT_FALSE(second.x < taken[0].high.x && taken[0].low.x < second.x + size.x && second.y < taken[0].high.y && taken[0].low.y < second.y + size.y)
+  EXPECT_FALSE(second.x < taken[0].high.x && taken[0].low.x < second.x + size.x && second.y < taken[0].high.y &&
+               taken[0].low.y < second.y + size.y)
       << "the second callout does not cover the first";
   for (const vec2 corner : {vec2(2, 2), vec2(898, 3), vec2(1, 499), vec2(899, 499)}) {
     const vec2 there = placeCallout(pane, corner, size, ray, {}, 1.0f);

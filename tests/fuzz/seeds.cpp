@@ -36,20 +36,24 @@ std::vector<std::byte> foreign(std::span<const std::byte> file) {
   ZipWriter writer;
   std::string entries;
   for (const ZipEntry& entry : zip.entries()) {
-    if (entry.name != "triangles.npy" && entry.name != "grid.npy" && entry.name != "rays_origin.npy" && entry.name != "rays_direction.npy") continue;
+    if (entry.name != "triangles.npy" && entry.name != "grid.npy" && entry.name != "rays_origin.npy" && entry.name != "rays_direction.npy")
+      continue;
     const std::vector<std::byte> bytes = zip.read(entry);
     const NpyHeader header = parseNpyHeader(bytes);
     std::string shape = npyShapeText(header.shape);
     shape.front() = '[', shape.back() = ']';
-    entries += (entries.empty() ? "" : ",") + ("\"" + entry.name + "\":{\"dtype\":\"" + npyTypeName(header.type) + "\",\"shape\":" + shape + "}");
+    entries +=
+        (entries.empty() ? "" : ",") + ("\"" + entry.name + "\":{\"dtype\":\"" + npyTypeName(header.type) + "\",\"shape\":" + shape + "}");
     writer.add(entry.name, bytes);
   }
   const Capture capture = makeSmallCapture(1);
   const ivec3 cells = capture.grid.cellCount;
-  const std::string manifest = "{\"format\":\"gridscope capture\",\"version\":1,\"grid\":{\"origin\":[-2,-2,-2],\"cellEdge\":2,\"cellCount\":[" + std::to_string(cells.x) + "," +
-                               std::to_string(cells.y) + "," + std::to_string(cells.z) + "],\"capacity\":1,\"reserved\":2,\"stretchAxis\":\"" +
-                               "xyz"[capture.grid.stretchAxis] + "\"},\"entries\":{" + entries + "}}";
-  writer.add("manifest.json", {reinterpret_cast<const std::byte*>(manifest.data()), reinterpret_cast<const std::byte*>(manifest.data()) + manifest.size()});
+  const std::string manifest =
+      "{\"format\":\"gridscope capture\",\"version\":1,\"grid\":{\"origin\":[-2,-2,-2],\"cellEdge\":2,\"cellCount\":[" +
+      std::to_string(cells.x) + "," + std::to_string(cells.y) + "," + std::to_string(cells.z) +
+      "],\"capacity\":1,\"reserved\":2,\"stretchAxis\":\"" + "xyz"[capture.grid.stretchAxis] + "\"},\"entries\":{" + entries + "}}";
+  writer.add("manifest.json",
+             {reinterpret_cast<const std::byte*>(manifest.data()), reinterpret_cast<const std::byte*>(manifest.data()) + manifest.size()});
   return writer.finish();
 }
 

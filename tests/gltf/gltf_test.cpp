@@ -60,8 +60,8 @@ TEST(Gltf, SparseValuesReplaceThoseOfTheBufferOrZero) {
     GltfFile file = oneTriangle();
     const int indices = file.addView<uint8_t>({1, 2}), values = file.addView<float>({5, 0, 0, 0, 7, 0});
     json& accessor = file.document["accessors"][0];
-    accessor["sparse"] = {{"count", 2}, {"indices", {{"bufferView", indices}, {"componentType", kUnsignedByte}}},
-                          {"values", {{"bufferView", values}}}};
+    accessor["sparse"] = {
+        {"count", 2}, {"indices", {{"bufferView", indices}, {"componentType", kUnsignedByte}}}, {"values", {{"bufferView", values}}}};
     if (!withBase) accessor.erase("bufferView");
     EXPECT_EQ(cornersOf(load(file)), (std::vector<vec3>{{0, 0, 0}, {5, 0, 0}, {0, 7, 0}}));
   }

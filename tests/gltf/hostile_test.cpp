@@ -100,7 +100,8 @@ TEST(GltfHostile, HostileValuesAreRefusedWithTheirPlace) {
       {"/buffers/0/uri", "data:;base64,????", "not base64"},
       {"/buffers/0/uri", "data:AAAA", "not base64"},
       {"/cameras", {{{"type", "perspective"}}}, "camera"},
-      {"/animations", {{{"channels", {{{"sampler", 4}, {"target", {{"node", 0}, {"path", "scale"}}}}}}, {"samplers", json::array()}}},
+      {"/animations",
+       {{{"channels", {{{"sampler", 4}, {"target", {{"node", 0}, {"path", "scale"}}}}}}, {"samplers", json::array()}}},
        "sampler is out of range"},
       {"/animations",
        {{{"channels", {{{"sampler", 0}, {"target", {{"node", 0}, {"path", "scale"}}}}}}, {"samplers", {{{"input", 0}, {"output", 0}}}}}},
@@ -110,8 +111,9 @@ TEST(GltfHostile, HostileValuesAreRefusedWithTheirPlace) {
   for (const HostileValue& hostile : cases) {
     GltfFile file = indexedSquare();
     file.document["buffers"] = {{{"byteLength", file.binary.size()},
-                                 {"uri", "data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAAAACAPwAA"
-                                         "gD8AAAAAAAABAAIAAgABAAMA"}}};
+                                 {"uri",
+                                  "data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAAAACAPwAA"
+                                  "gD8AAAAAAAABAAIAAgABAAMA"}}};
     EXPECT_EQ(load(file.document.dump()).meshes.at(0).triangleCount(), 2u);
     file.document[json::json_pointer(hostile.place)] = hostile.value;
     SCOPED_TRACE(std::string(hostile.place) + " = " + hostile.value.dump());

@@ -135,7 +135,8 @@ TEST(Build, TrianglesThatReachOutsideTheBoundsAreCountedAndClipped) {
 }
 
 TEST(Build, NeighbouringTrianglesWithBoxesOf256CellsLoseNoReference) {
-  static constexpr int kShapes[][3] = {{256, 1, 1}, {1, 256, 1}, {1, 1, 256}, {16, 16, 1}, {1, 16, 16}, {16, 1, 16}, {8, 8, 4}, {4, 8, 8}, {2, 2, 64}};
+  static constexpr int kShapes[][3] = {{256, 1, 1}, {1, 256, 1}, {1, 1, 256}, {16, 16, 1}, {1, 16, 16},
+                                       {16, 1, 16}, {8, 8, 4},   {4, 8, 8},   {2, 2, 64}};
   for (const auto& shape : kShapes)
     for (uint32_t capacity : {16u, 32u, 128u}) {
       GridSettings settings;
@@ -150,7 +151,8 @@ TEST(Build, NeighbouringTrianglesWithBoxesOf256CellsLoseNoReference) {
       const BuiltScene built(sceneOf(triangles), settings);
       EXPECT_EQ(built.staticReport.cellsExpected, 8u * 256u);
       EXPECT_EQ(built.staticReport.refused, 0u);
-      forEachCell(built.grid.parameters, [&](const ivec3& cell) { ASSERT_EQ(storedReferences(built.grid, cell), overlappingReferences(built, cell)); });
+      forEachCell(built.grid.parameters,
+                  [&](const ivec3& cell) { ASSERT_EQ(storedReferences(built.grid, cell), overlappingReferences(built, cell)); });
     }
 }
 

@@ -161,7 +161,10 @@ TEST(Derive, AGridThatDoesNotFitIsRefusedWithSettingsThatFit) {
     settings.cells = 16 + random() % 200;
     settings.capacity = 1 + random() % 200;
     const GridParameters grid = gridOf(bounds, settings);
-    const GridLimits limits{.maxImageSide = 64 + uint32_t(random() % 1000), .maxImageBytes = 10000000, .maxMemoryBytes = 1 + random() % 30000000, .device = "toy"};
+    const GridLimits limits{.maxImageSide = 64 + uint32_t(random() % 1000),
+                            .maxImageBytes = 10000000,
+                            .maxMemoryBytes = 1 + random() % 30000000,
+                            .device = "toy"};
     const std::string message = messageOf([&] { checkGridFits(settings, grid, limits); });
     if (message.empty()) continue;
 

@@ -84,7 +84,8 @@ TEST(Insertion, FirstComeKeepsTheFirstInTheirOrder) {
     TestInsert insert(grid);
     for (uint32_t reference : arrivals) insert.insertReference(parameters, ivec3(1, 2, 3), reference);
     const size_t kept = std::min(arrivals.size(), size_t(parameters.capacity));
-    const uint32_t refused = grid.at(gridRefusedTexel(parameters, ivec3(1, 2, 3), false)) + grid.at(gridRefusedTexel(parameters, ivec3(1, 2, 3), true));
+    const uint32_t refused =
+        grid.at(gridRefusedTexel(parameters, ivec3(1, 2, 3), false)) + grid.at(gridRefusedTexel(parameters, ivec3(1, 2, 3), true));
     EXPECT_EQ(refused, arrivals.size() - kept);
     arrivals.resize(kept);
     ASSERT_EQ(storedReferences(grid, ivec3(1, 2, 3)), arrivals);

@@ -59,7 +59,8 @@ TEST(Placement, AReferenceThatIsMissingIsNamedWithItsCell) {
   const Invariant placed = testPlacement({built.grid, demandOf(built)});
   EXPECT_EQ(placed.count, 1u);
   char expected[128];
-  std::snprintf(expected, sizeof expected, "1 cell; the first, (%d, %d, %d), lacks 0x%08X, which overlaps it", cell.x, cell.y, cell.z, held.back());
+  std::snprintf(expected, sizeof expected, "1 cell; the first, (%d, %d, %d), lacks 0x%08X, which overlaps it", cell.x, cell.y, cell.z,
+                held.back());
   EXPECT_EQ(placed.fault, expected);
 }
 
@@ -104,7 +105,8 @@ TEST(CellInvariants, SayWhatDoesNotApplyToAGridThatDoesNotCount) {
   const Crowd crowd(4, kInsertionSorted);
   BuiltScene built(crowd.scene, crowd.settings);
   const uint64_t tried = uint64_t(built.staticReport.tried) + built.dynamicReport.tried, wrong = tried + 1;
-  for (const Invariant& invariant : testCells(built.grid, built.numbered, &tried)) EXPECT_TRUE(invariant.holds() && invariant.whyNot.empty()) << invariant.key;
+  for (const Invariant& invariant : testCells(built.grid, built.numbered, &tried))
+    EXPECT_TRUE(invariant.holds() && invariant.whyNot.empty()) << invariant.key;
   EXPECT_FALSE(testCells(built.grid, built.numbered, &wrong).back().holds());
   EXPECT_EQ(testCells(built.grid, built.numbered, nullptr).back().whyNot, "nobody counted what was tried");
   built.grid.parameters.reserved = 1;

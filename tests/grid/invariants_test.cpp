@@ -45,7 +45,8 @@ class Invariants : public testing::Test {
   void expectSound(const uint64_t* tried = nullptr) { EXPECT_EQ(checkInvariants(grid, numbered, tried), std::vector<std::string>{}); }
 
   const ivec3 cell{2, 3, 1};
-  const uint32_t a = makeReference(0, 1), b = makeReference(0, 5), c = makeReference(1, 0), d = makeReference(1, 9), moving = makeReference(2, 3);
+  const uint32_t a = makeReference(0, 1), b = makeReference(0, 5), c = makeReference(1, 0), d = makeReference(1, 9),
+                 moving = makeReference(2, 3);
   NumberedScene numbered;
   Grid grid;
 };

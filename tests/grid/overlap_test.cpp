@@ -22,7 +22,8 @@ Polygon clipped(const Polygon& polygon, int axis, double sign, double limit) {
 }
 
 bool meetsCube(const Triangle& triangle, const vec3& centre, double halfEdge) {
-  Polygon polygon{glm::dvec3(triangle.a) - glm::dvec3(centre), glm::dvec3(triangle.b) - glm::dvec3(centre), glm::dvec3(triangle.c) - glm::dvec3(centre)};
+  Polygon polygon{glm::dvec3(triangle.a) - glm::dvec3(centre), glm::dvec3(triangle.b) - glm::dvec3(centre),
+                  glm::dvec3(triangle.c) - glm::dvec3(centre)};
   for (int axis = 0; axis < 3; ++axis)
     for (double sign : {1.0, -1.0}) polygon = clipped(polygon, axis, sign, halfEdge);
   return !polygon.empty();

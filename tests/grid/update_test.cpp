@@ -2,8 +2,8 @@
 #include <gtest/gtest.h>
 
 #include "core/grid/build.h"
-#include "core/scene/built_in_scenes.h"
 #include "core/grid/invariants.h"
+#include "core/scene/built_in_scenes.h"
 #include "tests/small_scene.h"
 
 namespace gridscope {
@@ -53,12 +53,13 @@ TEST_P(CrowdUpdate, MovedEqualsAllAfterEachOf30Frames) {
   RecordProperty("cellsTouched", std::to_string(touched / frames));
   RecordProperty("cellsRebuilt", std::to_string(rebuilt / frames));
   std::printf("%u moving, capacity %u: %.1f cells touched a frame, %.2f %% of them rebuilt; %u dynamic references refused at last\n",
-              GetParam().movingCount, GetParam().capacity, double(touched) / double(frames), 100.0 * double(rebuilt) / double(touched), statistics.dynamicRefused);
+              GetParam().movingCount, GetParam().capacity, double(touched) / double(frames), 100.0 * double(rebuilt) / double(touched),
+              statistics.dynamicRefused);
 }
 
 INSTANTIATE_TEST_SUITE_P(Update, CrowdUpdate,
-                         testing::Values(CrowdSettings{1, 4}, CrowdSettings{3, 4}, CrowdSettings{11, 4}, CrowdSettings{1, 32}, CrowdSettings{3, 32},
-                                         CrowdSettings{11, 32}));
+                         testing::Values(CrowdSettings{1, 4}, CrowdSettings{3, 4}, CrowdSettings{11, 4}, CrowdSettings{1, 32},
+                                         CrowdSettings{3, 32}, CrowdSettings{11, 32}));
 
 // Dynamic instances of random triangles that drift through each other and through a static cloud.
 Scene driftingScene(uint32_t dynamicCount, uint32_t seed) {
@@ -121,7 +122,8 @@ TEST(Update, NoCellIsRebuiltWhereNothingWasRefused) {
   BuiltScene built(scene, crowdGrid(512));
   ASSERT_EQ(countGrid(built.grid).statistics.saturated, 0u);
   for (int frame = 1; frame <= 5; ++frame) {
-    const UpdateReport report = updateMoved(built.numbered, setTransforms(built.numbered, scene, 0.2f * float(frame)), built.worldTriangles, built.grid);
+    const UpdateReport report =
+        updateMoved(built.numbered, setTransforms(built.numbered, scene, 0.2f * float(frame)), built.worldTriangles, built.grid);
     EXPECT_GT(report.cellsTouched, 0u);
     EXPECT_EQ(report.cellsRebuilt, 0u);
   }

@@ -5,9 +5,9 @@
 #include <gtest/gtest.h>
 
 #include "app/frame/changes.h"
+#include "app/frame/scene_edits.h"
 #include "app/model/flow.h"
 #include "app/model/preferences.h"
-#include "app/frame/scene_edits.h"
 #include "core/scene/built_in_scenes.h"
 
 namespace gridscope {

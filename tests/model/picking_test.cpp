@@ -1,8 +1,8 @@
 // What the mouse takes hold of in the viewport: cells, and handles that are dragged.
 #include <gtest/gtest.h>
 
-#include "app/model/drag_handle.h"
 #include "app/frame/pick_cell.h"
+#include "app/model/drag_handle.h"
 #include "core/grid/derive.h"
 #include "tests/frame/small_frame.h"
 

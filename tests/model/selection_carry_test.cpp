@@ -33,7 +33,8 @@ TEST(SelectionCarry, WhatIsGoneIsNoLongerSelected) {
   const Selection carried = carriedToNumbering({.last = Selected::triangle, .reference = makeReference(0, 0)}, before, without);
   EXPECT_FALSE(carried.reference);
   EXPECT_EQ(carried.last, Selected::nothing);
-  EXPECT_FALSE(carriedToNumbering({.last = Selected::triangle, .reference = makeReference(60000, 5)}, before, before).reference) << "of neither";
+  EXPECT_FALSE(carriedToNumbering({.last = Selected::triangle, .reference = makeReference(60000, 5)}, before, before).reference)
+      << "of neither";
 }
 
 TEST(SelectionCarry, APixelKeepsItsPlaceInThePicture) {
@@ -62,7 +63,7 @@ TEST(ModelFlow, TheSelectionGoesAlongWithTheSize) {
   const SmallFrame small;
   WindowModel model;
   show(model, small.frame);
-  model.selection.selectPixel(5);                     // (1, 1) of 4 x 2
+  model.selection.selectPixel(5);  // (1, 1) of 4 x 2
   FrameSnapshot larger = small.frame;
   larger.request.settings->width = 8, larger.request.settings->height = 4;
   takeFrame(model, std::make_shared<const FrameSnapshot>(larger));

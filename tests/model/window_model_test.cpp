@@ -1,11 +1,11 @@
 // What the window makes of a person's wishes: a kept frame beside the live one, the ray held while the camera goes on, steps, edits of instances.
 #include <gtest/gtest.h>
 
-#include "app/model/comparison.h"
-#include "app/model/held_ray.h"
 #include "app/frame/instance_edits.h"
-#include "app/model/flow.h"
 #include "app/frame/ray_stepping.h"
+#include "app/model/comparison.h"
+#include "app/model/flow.h"
+#include "app/model/held_ray.h"
 #include "app/model/stale_values.h"
 #include "core/grid/derive.h"
 #include "tests/frame/small_frame.h"
@@ -29,7 +29,8 @@ struct SmallModel {
   }
   RecordedRay record() const {
     RecordedRay ray{.pixel = 1, .ray = {vec3(1.5f, 1.55f, 2.9f), vec3(0, 0, -1), vec3(0, 0, -1), 1}};
-    ray.record = recordRay({*small.frame.grid, small.frame.scene->numbered, *small.frame.worldTriangles, small.frame.parameters.trace}, ray.ray);
+    ray.record =
+        recordRay({*small.frame.grid, small.frame.scene->numbered, *small.frame.worldTriangles, small.frame.parameters.trace}, ray.ray);
     return ray;
   }
   std::shared_ptr<FrameSnapshot> copy() const { return std::make_shared<FrameSnapshot>(small.frame); }
@@ -162,7 +163,8 @@ TEST(RayStepping, TheCameraFollowsTheStepsAndTheRayIsHeld) {
 
 TEST(StaleValues, AreThoseWhoseStagesRunAgain) {
   SmallModel m;
-  m.small.frame.demand = std::make_shared<const Demand>(m.small.frame.parameters.grid, m.small.frame.scene->numbered, *m.small.frame.worldTriangles);
+  m.small.frame.demand =
+      std::make_shared<const Demand>(m.small.frame.parameters.grid, m.small.frame.scene->numbered, *m.small.frame.worldTriangles);
   m.show();
   EXPECT_FALSE(staleValues(m.model).grid || staleValues(m.model).rays);
   m.model.request.settings->trace.gate = 3.0f;

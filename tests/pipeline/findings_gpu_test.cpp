@@ -2,10 +2,10 @@
 #include <bit>
 #include <optional>
 
-#include "core/trace/cell_rays.h"
 #include "core/grid/cell_updates.h"
 #include "core/pipeline/frame_truth.h"
 #include "core/pipeline/stability.h"
+#include "core/trace/cell_rays.h"
 #include "shaders/shared/truth/truth_colours.h"
 #include "tests/gpu_fixture.h"
 #include "tests/lesson.h"
@@ -73,7 +73,8 @@ TEST_F(FindingsTest, VerdictCauseErrorAndLostPaintTheTruth) {
       EXPECT_EQ(valueOf(error[i]), std::abs(ray.error));
     }
     if (seen[i].reference == kBlank) continue;
-    const uint32_t cost = costs[pipeline_->numbered().instances[referenceInstance(seen[i].reference)].firstWorldTriangle + referenceTriangle(seen[i].reference)];
+    const uint32_t cost = costs[pipeline_->numbered().instances[referenceInstance(seen[i].reference)].firstWorldTriangle +
+                                referenceTriangle(seen[i].reference)];
     ASSERT_EQ(lost[i].kind, cost > 0 ? kElementValue : kElementColour);
     if (cost > 0) {
       ASSERT_EQ(valueOf(lost[i]), float(cost));
@@ -84,7 +85,8 @@ TEST_F(FindingsTest, VerdictCauseErrorAndLostPaintTheTruth) {
 TEST_F(FindingsTest, RaysShowsHowOftenEachCellOfALayerWasAsked) {
   const Grid grid = pipeline_->grid();
   const std::vector<Triangle> triangles = pipeline_->worldTriangles();
-  const std::vector<CellRays> rays = countCellRays({grid, pipeline_->numbered(), triangles, pipeline_->parameters().trace}, pipeline_->rays());
+  const std::vector<CellRays> rays =
+      countCellRays({grid, pipeline_->numbered(), triangles, pipeline_->parameters().trace}, pipeline_->rays());
   pipeline_->useCellRays(rays);
   uint64_t shown = 0, visits = 0;
   for (int layer = 0; layer < grid.parameters.cellCount.y; ++layer) {

@@ -3,9 +3,9 @@
 
 #include <set>
 
-#include "core/trace/cell_rays.h"
 #include "core/grid/cell_updates.h"
 #include "core/pipeline/stability.h"
+#include "core/trace/cell_rays.h"
 #include "tests/small_scene.h"
 
 namespace gridscope {
@@ -35,8 +35,10 @@ TEST(CellRays, AreTheRaysThatAskACellEachOnce) {
         if (step.outcome != kStepRead && step.outcome != kStepEmpty) continue;
         const size_t cell = cellNumber(built.grid.parameters, step.cell);
         if (!asked.insert(cell).second) continue;
-        if (step.outcome == kStepRead) ++expected[cell].read, ++reads;
-        else ++expected[cell].empty;
+        if (step.outcome == kStepRead)
+          ++expected[cell].read, ++reads;
+        else
+          ++expected[cell].empty;
       }
     }
     const std::vector<CellRays> counted = countCellRays(input, rays);

@@ -113,7 +113,8 @@ TEST_F(GpuTest, AnotherOrderOfReferencesAndUnknownBoundsAreRefusedInWords) {
   GridSettings byArea = settings.grid;
   byArea.numberBy = NumberBy::area;
   EXPECT_THROW(pipeline.setGrid(byArea), Error);
-  Pipeline captured(gpu(), PipelineInputs{.name = "foreign", .numbered = pipeline.numbered(), .settings = settings, .parameters = pipeline.parameters()});
+  Pipeline captured(
+      gpu(), PipelineInputs{.name = "foreign", .numbered = pipeline.numbered(), .settings = settings, .parameters = pipeline.parameters()});
   GridSettings finer = settings.grid;
   finer.capacity += 1;
   EXPECT_THROW(captured.setGrid(finer), Error);

@@ -1,6 +1,6 @@
 // The update `moved` leaves the same bits as `all`, in every frame, on the device; and what it leaves alone.
-#include "core/scene/built_in_scenes.h"
 #include "core/pipeline/pipeline.h"
+#include "core/scene/built_in_scenes.h"
 #include "tests/gpu_fixture.h"
 
 namespace gridscope {
@@ -51,9 +51,10 @@ TEST_P(UpdateGpuTest, MovedEqualsAllAfterEachOfThirtyFrames) {
               GetParam().capacity, 100.0 * double(rebuilt) / double(touched));
 }
 
-INSTANTIATE_TEST_SUITE_P(Crowd, UpdateGpuTest,
-                         testing::Values(Case{1, 4}, Case{3, 4}, Case{11, 4}, Case{1, 32}, Case{3, 32}, Case{11, 32}),
-                         [](const auto& info) { return std::to_string(info.param.moving) + "_moving_capacity_" + std::to_string(info.param.capacity); });
+INSTANTIATE_TEST_SUITE_P(Crowd, UpdateGpuTest, testing::Values(Case{1, 4}, Case{3, 4}, Case{11, 4}, Case{1, 32}, Case{3, 32}, Case{11, 32}),
+                         [](const auto& info) {
+                           return std::to_string(info.param.moving) + "_moving_capacity_" + std::to_string(info.param.capacity);
+                         });
 
 TEST_F(GpuTest, UpdateMovedRebuildsNoCellWhileNothingSaturates) {
   Scene scene = makeMovingCrowd(1);

@@ -12,7 +12,13 @@ const CaptureNames kNames{.scene = "test", .meshes = {"clutter", "panel"}, .inst
 
 std::string briefOf(const ToldScene& told) {
   const TruthInput input = told.input();
-  return plainText(tellBriefly({.truth = input, .names = kNames, .pixel = 0, .width = 5, .ray = told.rays[0], .traced = told.hits[0], .exact = told.exact[0],
+  return plainText(tellBriefly({.truth = input,
+                                .names = kNames,
+                                .pixel = 0,
+                                .width = 5,
+                                .ray = told.rays[0],
+                                .traced = told.hits[0],
+                                .exact = told.exact[0],
                                 .told = told.truths[0]}));
 }
 
@@ -33,7 +39,9 @@ TEST(PixelBrief, AClosedGateIsToldWithBothDistances) {
   TruthScene scene = refusedScene();
   scene.rays = rayBundle(vec3(0.0f, 1.0f, 0.0f));
   const std::string text = briefOf(ToldScene(scene));
-  EXPECT_NE(text.find("Its gap was not filled: the ray was only 0.00 cells from the surface that it left, and the gate is 1.75 cells."), std::string::npos) << text;
+  EXPECT_NE(text.find("Its gap was not filled: the ray was only 0.00 cells from the surface that it left, and the gate is 1.75 cells."),
+            std::string::npos)
+      << text;
   EXPECT_TRUE(text.ends_with("The ray met nothing and left the grid.")) << text;
 }
 

@@ -13,8 +13,15 @@ namespace {
 std::vector<StoryPart> storyOf(const ToldScene& told, const CaptureNames& names, bool proven = true) {
   const TruthInput input = told.input();
   const Proof proof = proveRay(input, told.rays[0], told.hits[0], told.exact[0], told.truths[0]);
-  return tellPixel({.truth = input, .names = names, .pixel = 0, .width = 5, .ray = told.rays[0], .traced = told.hits[0],
-                    .exact = told.exact[0], .told = told.truths[0], .proof = proven ? &proof : nullptr});
+  return tellPixel({.truth = input,
+                    .names = names,
+                    .pixel = 0,
+                    .width = 5,
+                    .ray = told.rays[0],
+                    .traced = told.hits[0],
+                    .exact = told.exact[0],
+                    .told = told.truths[0],
+                    .proof = proven ? &proof : nullptr});
 }
 
 TruthScene refusedScene() {
@@ -29,9 +36,9 @@ const CaptureNames kNames{.scene = "test", .meshes = {"clutter", "panel"}, .inst
 TEST(PixelStory, ARefusedSurfaceIsToldWithItsCellAndWhatHoldsTheSlots) {
   const ToldScene told(refusedScene());
   const std::string text = plainText(storyOf(told, kNames));
-  for (const char* piece : {"Pixel (0, 0): voxel right, refused in cell (6, 3, 3); the surface is triangle 0 of panel.",
-                            "5 cell edges along the ray", "step 5", "asked to take 4 references, holds 2 and refused 2",
-                            "Its slots hold 2 of clutter.", "without that event alone, the ray agrees"})
+  for (const char* piece :
+       {"Pixel (0, 0): voxel right, refused in cell (6, 3, 3); the surface is triangle 0 of panel.", "5 cell edges along the ray", "step 5",
+        "asked to take 4 references, holds 2 and refused 2", "Its slots hold 2 of clutter.", "without that event alone, the ray agrees"})
     EXPECT_NE(text.find(piece), std::string::npos) << piece << "\n" << text;
 }
 
@@ -50,8 +57,9 @@ TEST(PixelStory, AGateIsToldWithTheWayFromTheLaunchingSurfaceAndItsProofAsAChain
   TruthScene scene = refusedScene();
   scene.rays = rayBundle(vec3(0.0f, 1.0f, 0.0f));
   const std::string text = plainText(storyOf(ToldScene(scene), kNames));
-  for (const char* piece : {"hole, gate in cell", "leaves the grid", "0 cell edges from the plane", "beyond 1.75 cell edges",
-                            "with these 2 events taken away, one after the other, the ray agrees: gate in cell (6, 3, 3); refused in cell (6, 3, 3)."})
+  for (const char* piece :
+       {"hole, gate in cell", "leaves the grid", "0 cell edges from the plane", "beyond 1.75 cell edges",
+        "with these 2 events taken away, one after the other, the ray agrees: gate in cell (6, 3, 3); refused in cell (6, 3, 3)."})
     EXPECT_NE(text.find(piece), std::string::npos) << piece << "\n" << text;
 }
 
@@ -85,9 +93,11 @@ TEST(PixelStory, TheCaseOfACauseIsTold) {
   cut.trace.back = 0.0f;
   EXPECT_NE(plainText(storyOf(ToldScene(cut), kNames)).find("The hit lies before the part of the ray"), std::string::npos);
   // Along the diagonal, 0.05 edges off the corner line: a blade in the cell that is cut between x and z.
-  const vec3 direction = glm::normalize(vec3(1.0f, 0.0f, 1.0f)), middle = vec3(0.5f, 2.5f, 0.45f) + 3.57f * direction, across(0.011f, 0.0f, -0.011f);
+  const vec3 direction = glm::normalize(vec3(1.0f, 0.0f, 1.0f)), middle = vec3(0.5f, 2.5f, 0.45f) + 3.57f * direction,
+             across(0.011f, 0.0f, -0.011f);
   const vec3 up(0.0f, 0.3f, 0.0f);
-  TruthScene edge{.scene = sceneOf({{middle - across - up, middle + across - up, middle + up}}), .rays = {makeRay(vec3(0.5f, 2.4f, 0.45f), direction)}};
+  TruthScene edge{.scene = sceneOf({{middle - across - up, middle + across - up, middle + up}}),
+                  .rays = {makeRay(vec3(0.5f, 2.4f, 0.45f), direction)}};
   EXPECT_NE(plainText(storyOf(ToldScene(edge), kNames)).find("An edge of the cell was cut."), std::string::npos);
 }
 
@@ -95,7 +105,9 @@ TEST(PixelStory, AHitThatNoRuleMakesIsToldAsNotConfirmed) {
   TruthScene scene{.scene = sceneOf({panelAt(5.5f)}), .rays = rayBundle(), .grid = unitCells()};
   scene.tracedElsewhere = [&scene](BuiltScene&) { return std::vector<Hit>(scene.rays.size(), Hit{kHitMiss, 0.0f, kBlank, 0.0f, 0.0f}); };
   const std::string text = plainText(storyOf(ToldScene(scene), kNames));
-  EXPECT_NE(text.find("Not confirmed: traced again with that rule changed, the ray does not end as the frame's hit does"), std::string::npos) << text;
+  EXPECT_NE(text.find("Not confirmed: traced again with that rule changed, the ray does not end as the frame's hit does"),
+            std::string::npos)
+      << text;
 }
 
 TEST(PixelStory, AnAgreeingRayAndAPixelWithoutOneAreToldInAFewWords) {

@@ -12,7 +12,9 @@ namespace {
 
 Triangle triangleOfSize(float size, float x = 0.0f) { return {vec3(x, 0, 0), vec3(x + size, 0, 0), vec3(x, size, 0)}; }
 
-double area(const Triangle& triangle) { return 0.5 * glm::length(glm::cross(glm::dvec3(triangle.b - triangle.a), glm::dvec3(triangle.c - triangle.a))); }
+double area(const Triangle& triangle) {
+  return 0.5 * glm::length(glm::cross(glm::dvec3(triangle.b - triangle.a), glm::dvec3(triangle.c - triangle.a)));
+}
 
 // A scene with one material over a 2x1 image.
 Scene keyedScene(AlphaMode mode, float opacity, float cutoff, bool withImage = true) {

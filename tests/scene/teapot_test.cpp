@@ -33,9 +33,7 @@ std::map<std::array<int, 6>, int> countEdges(const Mesh& mesh) {
   return edges;
 }
 
-TEST(Teapot, HasAboutSixThousandTriangles) {
-  EXPECT_EQ(makeTeapot(kTeapotSubdivisions, 0).triangleCount(), 6320u);
-}
+TEST(Teapot, HasAboutSixThousandTriangles) { EXPECT_EQ(makeTeapot(kTeapotSubdivisions, 0).triangleCount(), 6320u); }
 
 TEST(Teapot, LeavesOutTheTrianglesWithoutAreaAtItsPoles) {
   // 32 patches, of which 8 have a pole with one triangle too few for each cell beside it.
@@ -131,12 +129,11 @@ TEST_P(TeapotsInAScene, MoveIfTheyAreToMoveAndReturnToTheirStart) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(BuiltIn, TeapotsInAScene, testing::Values("hall", "empty-walk", "alpha-leaf", "diagonal"),
-                         [](const auto& name) {
-                           std::string text = name.param;
-                           for (char& letter : text) letter = letter == '-' ? '_' : letter;
-                           return text;
-                         });
+INSTANTIATE_TEST_SUITE_P(BuiltIn, TeapotsInAScene, testing::Values("hall", "empty-walk", "alpha-leaf", "diagonal"), [](const auto& name) {
+  std::string text = name.param;
+  for (char& letter : text) letter = letter == '-' ? '_' : letter;
+  return text;
+});
 
 }  // namespace
 }  // namespace gridscope

@@ -82,7 +82,7 @@ TEST(Budget, NamesTheNearestFiguresOfAnUnknownOneAndAllOfAnAmbiguousOne) {
   EXPECT_NE(messageOf("saturatd>1").find("the nearest are cells.saturated"), std::string::npos) << messageOf("saturatd>1");
   EXPECT_NE(messageOf("triangles>1").find("scene.triangles or other.triangles"), std::string::npos);
   EXPECT_NE(messageOf("name>1").find("no figure"), std::string::npos) << "a text is no figure";
-  EXPECT_NE(messageOf("scene.triangles>1%"), "") ;
+  EXPECT_NE(messageOf("scene.triangles>1%"), "");
 }
 
 TEST(Budget, ReachesIntoListsByPlace) {
@@ -94,7 +94,8 @@ TEST(Budget, ReachesIntoListsByPlace) {
 }
 
 TEST(Budget, TakesPercentOfProofsOfSharesAndOfWhatTheGroupHolds) {
-  EXPECT_EQ(judgeBudget(parseBudget("confirmed.gate.0<90%"), kResults).line, "confirmed.gate.0<90%: confirmed.gate.0 is 3 of 5 rays of that cause (60 %)");
+  EXPECT_EQ(judgeBudget(parseBudget("confirmed.gate.0<90%"), kResults).line,
+            "confirmed.gate.0<90%: confirmed.gate.0 is 3 of 5 rays of that cause (60 %)");
   EXPECT_EQ(judgeBudget(parseBudget("confirmedShare<99%"), kResults).line, "confirmedShare<99%: confirmedShare is 0.985 (98.5 %)");
   EXPECT_FALSE(isBroken("control.share>25%"));
   EXPECT_TRUE(isBroken("control.share>24%"));
@@ -110,8 +111,10 @@ TEST(Budget, ShortNamesOfCausesAndVerdictsAreFoundAndNeedTheTruthAlone) {
   EXPECT_TRUE(judgeBudget(parseBudget("gate>4"), without).broken);
   EXPECT_TRUE(judgeBudget(parseBudget("refused>39"), without).broken) << "of the references, not of the causes";
   for (const char* key : {"wrong", "verdicts", "causes"}) without.erase(key);
-  EXPECT_TRUE(haveFigures({parseBudget("refused>1"), parseBudget("cells.saturated>1"), parseBudget("stages.0.invariants.sum.count>0")}, without));
-  for (const char* text : {"gate>1", "wrong>1", "hole>1", "causes.refused>1"}) EXPECT_FALSE(haveFigures({parseBudget(text)}, without)) << text;
+  EXPECT_TRUE(
+      haveFigures({parseBudget("refused>1"), parseBudget("cells.saturated>1"), parseBudget("stages.0.invariants.sum.count>0")}, without));
+  for (const char* text : {"gate>1", "wrong>1", "hole>1", "causes.refused>1"})
+    EXPECT_FALSE(haveFigures({parseBudget(text)}, without)) << text;
 }
 
 TEST(Budget, AFigureWithoutAValueIsSaidToHaveNone) {

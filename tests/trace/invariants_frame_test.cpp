@@ -46,22 +46,28 @@ TEST(FrameInvariants, ATriangleWhereItDoesNotBelongIsSaidUnlessAnotherProgramPut
   const ivec3 a = cells.front(), b = cells.back();
   ASSERT_NE(storedReferences(crowd.built.grid, a), storedReferences(crowd.built.grid, b));
   for (int texel = 0; texel < crowd.built.grid.parameters.stride; ++texel)
-    std::swap(crowd.built.grid.at(gridTexel(crowd.built.grid.parameters, a, texel)), crowd.built.grid.at(gridTexel(crowd.built.grid.parameters, b, texel)));
+    std::swap(crowd.built.grid.at(gridTexel(crowd.built.grid.parameters, a, texel)),
+              crowd.built.grid.at(gridTexel(crowd.built.grid.parameters, b, texel)));
   const std::vector<Invariant> invariants = crowd.test();
-  EXPECT_NE(one(invariants, "placed").fault.find("(" + std::to_string(a.x) + ", " + std::to_string(a.y) + ", " + std::to_string(a.z) + ")"), std::string::npos)
+  EXPECT_NE(one(invariants, "placed").fault.find("(" + std::to_string(a.x) + ", " + std::to_string(a.y) + ", " + std::to_string(a.z) + ")"),
+            std::string::npos)
       << one(invariants, "placed").fault;
 
   const std::vector<Invariant> foreign = crowd.test("engine 7");
   EXPECT_EQ(faultsOf(foreign), std::vector<std::string>{});
-  for (const char* key : {"placed", "nothingStale", "staticFirst"}) EXPECT_NE(one(foreign, key).whyNot.find("engine 7"), std::string::npos) << key;
+  for (const char* key : {"placed", "nothingStale", "staticFirst"})
+    EXPECT_NE(one(foreign, key).whyNot.find("engine 7"), std::string::npos) << key;
 }
 
 TEST(FrameInvariants, HitsAreTestedTooCapturedOnesAlike) {
   const Crowd crowd;
   const TraceInput input = crowd.built.traceInput({});
   const std::vector<Ray> rays = {makeRay(vec3(0.0f), vec3(1, 0, 0))};
-  EXPECT_EQ(faultsOf(testFrameHits(crowd.built.numbered, input.parameters, rays, std::vector{Hit{kHitMiss, 0.0f, kBlank, 0.0f, 0.0f}})).size(), 0u);
-  const std::vector<std::string> faults = faultsOf(testFrameHits(crowd.built.numbered, input.parameters, rays, std::vector{Hit{kHitTriangle, 1.0f, 99u << 16, 0.0f, 0.0f}}));
+  EXPECT_EQ(
+      faultsOf(testFrameHits(crowd.built.numbered, input.parameters, rays, std::vector{Hit{kHitMiss, 0.0f, kBlank, 0.0f, 0.0f}})).size(),
+      0u);
+  const std::vector<std::string> faults =
+      faultsOf(testFrameHits(crowd.built.numbered, input.parameters, rays, std::vector{Hit{kHitTriangle, 1.0f, 99u << 16, 0.0f, 0.0f}}));
   ASSERT_EQ(faults.size(), 1u);
   EXPECT_NE(faults.front().find("ray 0"), std::string::npos);
 }

@@ -5,8 +5,8 @@
 
 #include <cstring>
 
-#include "core/scene/built_in_scenes.h"
 #include "core/base/parallel.h"
+#include "core/scene/built_in_scenes.h"
 #include "shaders/shared/scene/triangle.h"
 #include "tests/small_scene.h"
 
@@ -67,8 +67,8 @@ int listDifferences(const TraceInput& input, const std::vector<Ray>& rays, const
   int count = 0;
   for (size_t i = 0; i < rays.size(); ++i) {
     if (hits[i].kind == truth[i].kind && std::abs(hits[i].t - truth[i].t) <= 1e-3f * input.grid.parameters.cellEdge) continue;
-    std::printf("ray %zu: kind %u t %g reference %08X, but exactly kind %u t %g reference %08X\n", i, hits[i].kind, double(hits[i].t), hits[i].reference,
-                truth[i].kind, double(truth[i].t), truth[i].reference);
+    std::printf("ray %zu: kind %u t %g reference %08X, but exactly kind %u t %g reference %08X\n", i, hits[i].kind, double(hits[i].t),
+                hits[i].reference, truth[i].kind, double(truth[i].t), truth[i].reference);
     ++count;
   }
   return count;
@@ -303,14 +303,17 @@ TEST(Trace, ASaturatedCellWithoutAHitGivesAVoxelHitWithTheLastReference) {
 
 TEST(Trace, AFullCellThatRefusedNothingGivesNoVoxelHit) {
   const BuiltScene built = saturatedWall(false);
-  EXPECT_EQ(traceOne(built.traceInput({.gate = 0.0f}), makeRay(vec3(0.3f, 0.6f, 0.6f), vec3(1.0f, 0.0f, 0.0f), vec3(1.0f, 0.0f, 0.0f))).kind, kHitMiss);
+  EXPECT_EQ(
+      traceOne(built.traceInput({.gate = 0.0f}), makeRay(vec3(0.3f, 0.6f, 0.6f), vec3(1.0f, 0.0f, 0.0f), vec3(1.0f, 0.0f, 0.0f))).kind,
+      kHitMiss);
 }
 
 TEST(Trace, TheGateHoldsBackVoxelHitsNearTheLaunchingSurface) {
   const BuiltScene built = saturatedWall();
   const vec3 direction(1.0f, 0.0f, 0.0f);
   auto kind = [&](uint32_t traversal, float gate, const vec3& launchNormal) {
-    return traceOne(built.traceInput({.traversal = traversal, .gate = gate}), makeRay(vec3(0.3f, 0.6f, 0.6f), direction, launchNormal)).kind;
+    return traceOne(built.traceInput({.traversal = traversal, .gate = gate}), makeRay(vec3(0.3f, 0.6f, 0.6f), direction, launchNormal))
+        .kind;
   };
   // Segment 2 starts at s = 2; the walk enters the cell at 1.7.
   EXPECT_EQ(kind(kTraversalSegment, 1.99f, direction), kHitVoxel);
@@ -429,7 +432,8 @@ TEST(Trace, MirroredAndTurnedInstancesAreHitWhereTheyStand) {
   const std::vector<mat4> nodes = nodeTransforms(scene, 0.0f);
   for (uint32_t i = 0; i < built.numbered.instanceCount(); ++i) {
     const SceneInstance& source = scene.instances[built.numbered.sources[i].sceneInstance];
-    const vec3 expected = vec3(nodes[source.node] * source.local * vec4(built.numbered.objectTriangles[built.numbered.instances[i].firstTriangle].a, 1.0f));
+    const vec3 expected =
+        vec3(nodes[source.node] * source.local * vec4(built.numbered.objectTriangles[built.numbered.instances[i].firstTriangle].a, 1.0f));
     EXPECT_LT(glm::distance(expected, built.worldTriangles[built.numbered.instances[i].firstWorldTriangle].a), 1e-4f);
   }
 }

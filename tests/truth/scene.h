@@ -47,7 +47,7 @@ struct TruthScene {
   std::vector<Ray> rays;
   GridSettings grid = unitCells();
   TraceSettings trace;
-  std::function<void(BuiltScene&)> damage;                 // of the grid or the scene, before the trace
+  std::function<void(BuiltScene&)> damage;                       // of the grid or the scene, before the trace
   std::function<std::vector<Hit>(BuiltScene&)> tracedElsewhere;  // replaces the trace's hits
 };
 
@@ -64,9 +64,15 @@ struct ToldScene {
   TruthTotals totals;
 
   explicit ToldScene(const TruthScene& given)
-      : built(damaged(given)), rays(given.rays), trace(built.traceInput(given.trace)), hits(tracedHits(given)),
-        demand(built.grid.parameters, built.numbered, built.worldTriangles), reference(trace), exact(reference.trace(rays)),
-        truths(tellTruth(input(), reference, rays, hits)), totals(countTruths(truths)) {}
+      : built(damaged(given)),
+        rays(given.rays),
+        trace(built.traceInput(given.trace)),
+        hits(tracedHits(given)),
+        demand(built.grid.parameters, built.numbered, built.worldTriangles),
+        reference(trace),
+        exact(reference.trace(rays)),
+        truths(tellTruth(input(), reference, rays, hits)),
+        totals(countTruths(truths)) {}
 
   TruthInput input() const { return {trace, demand}; }
   ProofTotals proofs() const { return proveFrame(input(), {rays, hits, exact, truths}); }

@@ -15,7 +15,7 @@ struct RowValues {
   uint64_t bytes;
   uint64_t wrong;
   double ms;
-  double spread = 0.0;   // slowest - fastest run
+  double spread = 0.0;  // slowest - fastest run
 };
 
 TuneRow rowOf(const RowValues& values) {
@@ -60,7 +60,7 @@ TEST(TuneChoice, WrongCountsHolesWrongVoxelsAndWrongDistancesButNotVoxelRight) {
 
 TEST(TuneChoice, FewestWrongRaysWithinTheLimitsAreRecommended) {
   const auto rows = rowsOf({{100, 50, 10.0}, {100, 40, 10.0}, {200, 20, 12.5}, {201, 5, 10.0}, {100, 4, 12.6}, {50, 60, 1.0}});
-  EXPECT_EQ(recommend(rows), 2u);   // the fourth takes too much memory, the fifth too long
+  EXPECT_EQ(recommend(rows), 2u);  // the fourth takes too much memory, the fifth too long
 }
 
 TEST(TuneChoice, TheOwnSettingStaysWhenNothingIsBetter) {
@@ -91,7 +91,8 @@ TEST(TuneChoice, WhatWasRefusedIsNeverChosenAndNeverOnTheFront) {
 
 TEST(TuneChoice, TheFrontHoldsWhatNothingBeatsInAllThree) {
   //                                      best memory     dominated       fewest wrong    fastest
-  EXPECT_EQ(frontOf(rowsOf({{50, 90, 10.0}, {60, 95, 11.0}, {100, 10, 10.0}, {100, 90, 2.0}})), (std::vector<bool>{true, false, true, true}));
+  EXPECT_EQ(frontOf(rowsOf({{50, 90, 10.0}, {60, 95, 11.0}, {100, 10, 10.0}, {100, 90, 2.0}})),
+            (std::vector<bool>{true, false, true, true}));
 }
 
 TEST(TuneChoice, EqualSettingsAreBothOnTheFront) {
@@ -116,7 +117,8 @@ TEST(TuneChoice, FlagsNameEveryThingThatTheSweepVaries) {
   row.grid.overlap = kOverlapExact;
   row.grid.numberBy = NumberBy::area;
   row.trace.ahead = 0.1f;
-  EXPECT_EQ(tuneFlags(row), "--cells 192 --capacity 32 --overlap exact --number-by area --traversal segment --back 1 --ahead 0.1 --gate 1.75");
+  EXPECT_EQ(tuneFlags(row),
+            "--cells 192 --capacity 32 --overlap exact --number-by area --traversal segment --back 1 --ahead 0.1 --gate 1.75");
   row.trace.traversal = kTraversalDda;
   row.grid.cellEdge = 0.25f;
   EXPECT_EQ(tuneFlags(row), "--cell-edge 0.25 --capacity 32 --overlap exact --number-by area --traversal dda --gate 1.75");
@@ -136,8 +138,10 @@ size_t fieldCount(const std::string& line) {
   bool inQuotes = false;
   size_t fields = 1;
   for (char c : line) {
-    if (c == '"') inQuotes = !inQuotes;
-    else if (c == ',' && !inQuotes) ++fields;
+    if (c == '"')
+      inQuotes = !inQuotes;
+    else if (c == ',' && !inQuotes)
+      ++fields;
   }
   return fields;
 }
@@ -145,7 +149,8 @@ size_t fieldCount(const std::string& line) {
 TEST(TuneReport, EveryLineOfTheCsvHasTheHeadersFields) {
   const std::string csv = tuneCsv(smallResult());
   std::vector<std::string> lines;
-  for (size_t begin = 0, end; (end = csv.find("\r\n", begin)) != std::string::npos; begin = end + 2) lines.push_back(csv.substr(begin, end - begin));
+  for (size_t begin = 0, end; (end = csv.find("\r\n", begin)) != std::string::npos; begin = end + 2)
+    lines.push_back(csv.substr(begin, end - begin));
   ASSERT_EQ(lines.size(), 4u);
   for (const std::string& line : lines) EXPECT_EQ(fieldCount(line), fieldCount(lines[0])) << line;
   EXPECT_NE(lines[3].find("\"the device, \"\"small\"\", can't hold it\""), std::string::npos) << lines[3];

@@ -41,7 +41,7 @@ TEST(TuneSettings, TheOwnSettingIsTheFramesWhereItMakesTheGrid) {
 
 TEST(TuneSettings, OfAGridWithoutSettingsTheOwnSettingIsItsShape) {
   Frame frame({.cellEdge = 0.25f, .capacity = 4});
-  frame.settings.grid = {};            // what a capture of another program says: nothing
+  frame.settings.grid = {};  // what a capture of another program says: nothing
   frame.parameters.grid.reserved = 0;
   frame.parameters.grid.stride = 4;
   frame.parameters.trace.gate = 0.5f;
@@ -60,8 +60,14 @@ TEST(TuneSettings, OfAGridWithoutSettingsTheOwnSettingIsItsShape) {
 }
 
 TEST(TuneSettings, TheOwnSettingIsNotTriedTwice) {
-  const TuneAxes axes{.cells = {8, 16}, .capacities = {4, 6}, .overlaps = {kOverlapPlane}, .numberings = {NumberBy::file, NumberBy::area},
-                      .traversals = {kTraversalSegment, kTraversalDda}, .backs = {0.5f, 1.0f}, .aheads = {0.75f}, .gates = {1.75f}};
+  const TuneAxes axes{.cells = {8, 16},
+                      .capacities = {4, 6},
+                      .overlaps = {kOverlapPlane},
+                      .numberings = {NumberBy::file, NumberBy::area},
+                      .traversals = {kTraversalSegment, kTraversalDda},
+                      .backs = {0.5f, 1.0f},
+                      .aheads = {0.75f},
+                      .gates = {1.75f}};
   const GridSettings own{.cells = 8, .capacity = 6};
   EXPECT_EQ(gridsToTry(axes, own, true).size(), 7u);
   EXPECT_EQ(gridsToTry(axes, own, false).size(), 3u);
@@ -76,7 +82,8 @@ struct Trial {
   bool lives = true;
   template <class Measure>
   Trial(bool canFree, Measure measure) {
-    lives = tryRow(row, [&](TuneRow& tried) { measure(tried, ++runs); }, [&] { return freed = canFree; });
+    lives = tryRow(
+        row, [&](TuneRow& tried) { measure(tried, ++runs); }, [&] { return freed = canFree; });
   }
 };
 

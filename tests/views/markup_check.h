@@ -16,9 +16,12 @@ class MarkupChecker {
   // The first fault, in words; empty: none.
   std::string check() {
     while (at_ < text_.size() && fault_.empty()) {
-      if (text_[at_] == '<') tag();
-      else if (text_[at_] == '&') entity();
-      else ++at_;
+      if (text_[at_] == '<')
+        tag();
+      else if (text_[at_] == '&')
+        entity();
+      else
+        ++at_;
     }
     if (fault_.empty() && !open_.empty()) fail("never closed: " + open_.back());
     return fault_;

@@ -8,8 +8,8 @@
 
 #include <gtest/gtest.h>
 
-#include "shaders/shared/views/palette.h"
 #include "shaders/shared/truth/truth_colours.h"
+#include "shaders/shared/views/palette.h"
 #include "shaders/shared/views/view_element.h"
 
 namespace gridscope {
@@ -67,8 +67,10 @@ TEST(Palette, ViridisIsWithinTwo255thsOfMatplotlibBetweenItsKnots) {
     int index;
     vec3 colour;
   };
-  const Entry entries[] = {{20, {0.283197f, 0.115680f, 0.436115f}}, {75, {0.208623f, 0.367752f, 0.552675f}},
-                           {130, {0.125394f, 0.574318f, 0.549086f}}, {185, {0.311925f, 0.767822f, 0.415586f}},
+  const Entry entries[] = {{20, {0.283197f, 0.115680f, 0.436115f}},
+                           {75, {0.208623f, 0.367752f, 0.552675f}},
+                           {130, {0.125394f, 0.574318f, 0.549086f}},
+                           {185, {0.311925f, 0.767822f, 0.415586f}},
                            {240, {0.845561f, 0.887322f, 0.099702f}}};
   for (const Entry& entry : entries) {
     vec3 error = glm::abs(colourMap(kColourMapViridis, static_cast<float>(entry.index) / 255.0f) - entry.colour);
@@ -112,7 +114,8 @@ void expectApart(const std::vector<Named>& colours, float least) {
     for (const Matrix& eye : {kNormal, kProtanopia, kDeuteranopia, kTritanopia}) {
       EXPECT_GE(difference(unpackColour(colours[i].colour), unpackColour(kColourWindow), eye), least) << colours[i].name << " and nothing";
       for (size_t k = 0; k < i; ++k)
-        EXPECT_GE(difference(unpackColour(colours[i].colour), unpackColour(colours[k].colour), eye), least) << colours[i].name << " and " << colours[k].name;
+        EXPECT_GE(difference(unpackColour(colours[i].colour), unpackColour(colours[k].colour), eye), least)
+            << colours[i].name << " and " << colours[k].name;
     }
 }
 
@@ -210,7 +213,7 @@ TEST(Element, ASliceStandsUprightAndNamesEachCellOnce) {
   EXPECT_EQ(sliceSize(cells, 0), uvec2(5u, 4u));
   EXPECT_EQ(sliceSize(cells, 1), uvec2(3u, 5u));
   EXPECT_EQ(sliceSize(cells, 2), uvec2(3u, 4u));
-  EXPECT_EQ(sliceCell(cells, 0, 2, 0), ivec3(2, 3, 0));   // top row: highest y
+  EXPECT_EQ(sliceCell(cells, 0, 2, 0), ivec3(2, 3, 0));  // top row: highest y
   EXPECT_EQ(sliceCell(cells, 1, 2, 0), ivec3(0, 2, 0));
   EXPECT_EQ(sliceCell(cells, 2, 1, 11), ivec3(2, 0, 1));  // last element: lowest y
   for (int axis = 0; axis < 3; ++axis) {

@@ -18,8 +18,8 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 bool holdsNonFinite(const std::string& svg) { return svg.find("nan") != std::string::npos || svg.find("inf") != std::string::npos; }
 
 TEST(Plot, TicksRiseAndLieInTheAxis) {
-  for (const PlotAxis& axis : {PlotAxis{"", 0.0, 1.0}, PlotAxis{"", 0.0, 48.4}, PlotAxis{"", 3.0, 3.0}, PlotAxis{"", 0.9, 2200.0, true}, PlotAxis{"", 1.0, 1.0, true},
-                               PlotAxis{"", 1e-3, 1e9, true}, PlotAxis{"", 61.0, 63.0, true}})
+  for (const PlotAxis& axis : {PlotAxis{"", 0.0, 1.0}, PlotAxis{"", 0.0, 48.4}, PlotAxis{"", 3.0, 3.0}, PlotAxis{"", 0.9, 2200.0, true},
+                               PlotAxis{"", 1.0, 1.0, true}, PlotAxis{"", 1e-3, 1e9, true}, PlotAxis{"", 61.0, 63.0, true}})
     for (int most : {2, 5, 9}) {
       const PlotAxis drawn = drawableAxis(axis);
       const std::vector<PlotTick> ticks = axisTicks(axis, most);
@@ -37,7 +37,8 @@ TEST(Plot, TicksRiseAndLieInTheAxis) {
 
 TEST(Plot, AnAxisThatIsNotFiniteCanBeDrawn) {
   for (bool logarithmic : {false, true})
-    for (const PlotAxis& axis : {PlotAxis{"", kNaN, kNaN, logarithmic}, PlotAxis{"", kInfinity, -kInfinity, logarithmic}, PlotAxis{"", 5.0, -5.0, logarithmic}}) {
+    for (const PlotAxis& axis :
+         {PlotAxis{"", kNaN, kNaN, logarithmic}, PlotAxis{"", kInfinity, -kInfinity, logarithmic}, PlotAxis{"", 5.0, -5.0, logarithmic}}) {
       const PlotAxis drawn = drawableAxis(axis);
       EXPECT_TRUE(std::isfinite(drawn.low) && std::isfinite(drawn.high));
       EXPECT_LT(drawn.low, drawn.high);
@@ -94,16 +95,16 @@ TEST(Drawing, TextsAreEscapedInSvg) {
 
 TEST(Drawing, MarkupKeepsLettersOfEveryLanguage) {
   EXPECT_EQ(markupText("caf\xC3\xA9 \xE2\x82\xAC \xF0\x9F\x8C\xB2"), "caf\xC3\xA9 \xE2\x82\xAC \xF0\x9F\x8C\xB2");
-  EXPECT_EQ(markupText("\xC0\xAF"), "\xEF\xBF\xBD\xEF\xBF\xBD");              // an overlong slash
+  EXPECT_EQ(markupText("\xC0\xAF"), "\xEF\xBF\xBD\xEF\xBF\xBD");                  // an overlong slash
   EXPECT_EQ(markupText("\xED\xA0\x80"), "\xEF\xBF\xBD\xEF\xBF\xBD\xEF\xBF\xBD");  // half of a surrogate pair
-  EXPECT_EQ(markupText("\xE2\x82"), "\xEF\xBF\xBD\xEF\xBF\xBD");              // cut short
+  EXPECT_EQ(markupText("\xE2\x82"), "\xEF\xBF\xBD\xEF\xBF\xBD");                  // cut short
 }
 
 TEST(Drawing, PicturesShowWhatSvgSays) {
   Drawing drawing{.width = 20, .height = 20, .background = 0x000000};
   drawing.shapes.push_back(DrawnBox{{2.0f, 2.0f}, 4.0f, 4.0f, 0xFF0000, ""});
   drawing.shapes.push_back(DrawnMark{MarkShape::circle, {14.0f, 14.0f}, 3.0f, 0x00FF00, 1.0f, ""});
-  drawing.shapes.push_back(DrawnLine{{{-50.0f, 10.5f}, {50.0f, 10.5f}}, 0x0000FF, 1.0f, false});   // beyond both sides
+  drawing.shapes.push_back(DrawnLine{{{-50.0f, 10.5f}, {50.0f, 10.5f}}, 0x0000FF, 1.0f, false});  // beyond both sides
   const Picture picture = pictureOf(drawing, 1.0f);
   auto colourAt = [&](uint32_t x, uint32_t y) {
     const uint8_t* pixel = &picture.rgba[(size_t(y) * picture.width + x) * 4];

@@ -62,9 +62,7 @@ TEST(ViewRange, ExtentIsLowestToHighestAndNeverEmpty) {
   }
 }
 
-TEST(ViewRange, CapacityIsTheGrids) {
-  EXPECT_EQ(viewRange(*findView("occupancy"), values({3.0f}), 32), (ValueRange{0.0f, 32.0f}));
-}
+TEST(ViewRange, CapacityIsTheGrids) { EXPECT_EQ(viewRange(*findView("occupancy"), values({3.0f}), 32), (ValueRange{0.0f, 32.0f})); }
 
 TEST(ViewPicture, AGivenRangeReplacesTheViewsOwnAndIsReturned) {
   const View& view = *findView("visits");

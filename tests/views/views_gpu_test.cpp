@@ -65,7 +65,9 @@ TEST_F(ViewsTest, RayViewsShowCountersAndHits) {
     ASSERT_EQ(valueOf(visits[i]), float(counters[i].visits));
     ASSERT_EQ(valueOf(tests[i]), float(counters[i].tests));
     bool met = hits[i].kind == kHitTriangle || hits[i].kind == kHitVoxel;
-    if (met) { ASSERT_EQ(valueOf(distance[i]), hits[i].t); }
+    if (met) {
+      ASSERT_EQ(valueOf(distance[i]), hits[i].t);
+    }
     uint32_t colour = hits[i].kind == kHitTriangle ? kColourTriangleHit : hits[i].kind == kHitVoxel ? kColourVoxelHit : kColourMiss;
     ASSERT_EQ(kind[i].payload, packBytes(unpackColour(colour)));
   }
@@ -83,7 +85,8 @@ TEST_F(ViewsTest, SliceShowsEachCellOfItsLayerAndMarksTheSaturatedOnes) {
         ivec3 cell = sliceCell(cells, axis, layer, i);
         int stored = 0;
         while (stored < grid.parameters.capacity && grid.at(gridTexel(grid.parameters, cell, stored)) != kBlank) ++stored;
-        bool saturated = grid.at(gridRefusedTexel(grid.parameters, cell, false)) + grid.at(gridRefusedTexel(grid.parameters, cell, true)) > 0;
+        bool saturated =
+            grid.at(gridRefusedTexel(grid.parameters, cell, false)) + grid.at(gridRefusedTexel(grid.parameters, cell, true)) > 0;
         ASSERT_EQ(valueOf(image.elements[i]), float(stored));
         ASSERT_EQ(image.elements[i].kind, saturated ? kElementMarked : kElementValue);
         marked += saturated;

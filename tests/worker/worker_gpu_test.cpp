@@ -9,9 +9,9 @@
 #include <gtest/gtest.h>
 
 #include "app/worker/worker.h"
-#include "core/capture/capture.h"
 #include "core/base/error.h"
 #include "core/base/npy.h"
+#include "core/capture/capture.h"
 
 namespace gridscope {
 namespace {
@@ -78,7 +78,8 @@ bool sameBytes(const std::vector<T>& a, const std::vector<T>& b) {
 TEST(FrameWorker, ACompleteFrameHoldsEveryProductAndTheViewsThatWereAskedFor) {
   Running running;
   const auto frame = running.begin();
-  ASSERT_TRUE(frame && frame->scene && frame->hits && frame->rays && frame->gather && frame->counters && frame->grid && frame->worldTriangles);
+  ASSERT_TRUE(frame && frame->scene && frame->hits && frame->rays && frame->gather && frame->counters && frame->grid &&
+              frame->worldTriangles);
   EXPECT_FALSE(frame->stale);
   EXPECT_EQ(frame->hits->size(), 96u * 54u);
   EXPECT_EQ(frame->views.size(), 2u);
@@ -134,7 +135,8 @@ TEST(FrameWorker, RaysOfOnesOwnTakeThePlaceOfTheBouncesAndSetTheFramesSize) {
   Running running;
   const auto before = running.begin();
   const std::filesystem::path file = std::filesystem::temp_directory_path() / "gridscope_worker_rays.npy";
-  const std::vector<float> rays{0, 0, 0, 1, 0, 0, /**/ 0, 0, 0, 0, 1, 0, /**/ 0, 0, 0, 0, 0, 1, /**/ 1, 1, 1, 0, 0, -1, /**/ 1, 1, 1, 0, -1, 0, /**/ 1, 1, 1, -1, 0, 0};
+  const std::vector<float> rays{0,      0, 0, 1, 0, 0,  /**/ 0, 0, 0, 0, 1,  0, /**/ 0, 0, 0, 0,  0, 1,
+                                /**/ 1, 1, 1, 0, 0, -1, /**/ 1, 1, 1, 0, -1, 0, /**/ 1, 1, 1, -1, 0, 0};
   const std::vector<std::byte> bytes = formatNpy<float>(std::vector<uint64_t>{2, 3, 6}, rays);
   std::ofstream(file, std::ios::binary).write(reinterpret_cast<const char*>(bytes.data()), std::streamsize(bytes.size()));
   running.request.source.rays = file.string();
@@ -285,7 +287,8 @@ TEST(FrameWorker, EditsOfInstancesThatAreGoneAreLeftOut) {
   running.request.source.teapots = 2;
   const auto two = running.begin();
   const uint32_t last = uint32_t(two->scene->names.instances.size()) - 1;
-  running.request.edits = {{.sceneInstance = 0, .kind = InstanceEdit::Kind::hide}, {.sceneInstance = last, .kind = InstanceEdit::Kind::hide}};
+  running.request.edits = {{.sceneInstance = 0, .kind = InstanceEdit::Kind::hide},
+                           {.sceneInstance = last, .kind = InstanceEdit::Kind::hide}};
   EXPECT_EQ(running.ask()->fault, "");
   running.request.source.teapots = 1;
   const auto one = running.ask();
@@ -366,7 +369,7 @@ TEST(FrameWorker, ACancelThatComesTooLateDoesNotEndTheNextLoad) {
 TEST(FrameWorker, AProofThatWasCancelledDoesNotComeWithTheNextTruth) {
   Running running;
   running.begin();
-  running.request.proveAll = 1;   // as it stands when the truth is declined while it is being proved
+  running.request.proveAll = 1;  // as it stands when the truth is declined while it is being proved
   running.request.truth = false;
   running.ask();
   running.request.truth = true;

@@ -2,8 +2,8 @@
 #include <imgui.h>
 #include <imgui_stdlib.h>
 
-#include "app/ui/panels/inspector.h"
 #include "app/base/text.h"
+#include "app/ui/panels/inspector.h"
 #include "app/ui/widgets/widgets.h"
 
 namespace gridscope {
@@ -52,7 +52,8 @@ void drawBookmarksTab(WindowModel& model) {
   if (keyButton("Keep this view", "")) model.bookmarks.push_back({printed("view %zu", model.bookmarks.size() + 1), model.camera.pose});
   ImGui::Dummy(ImVec2(0.0f, unit(4)));
   if (sectionHeader("Kept", std::to_string(model.bookmarks.size()))) drawKept(model);
-  if (model.frame && model.frame->scene && sectionHeader("From the file", std::to_string(model.frame->scene->cameras.size()))) drawFileCameras(model);
+  if (model.frame && model.frame->scene && sectionHeader("From the file", std::to_string(model.frame->scene->cameras.size())))
+    drawFileCameras(model);
 }
 
 }  // namespace gridscope

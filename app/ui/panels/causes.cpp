@@ -2,14 +2,14 @@
 #include <algorithm>
 #include <numeric>
 
+#include "app/base/text.h"
 #include "app/frame/find_next.h"
+#include "app/frame/table_exports.h"
+#include "app/frame/table_rows.h"
 #include "app/model/flow.h"
 #include "app/ui/panels/sheet.h"
 #include "app/ui/panels/table_parts.h"
 #include "app/ui/panels/truth_marks.h"
-#include "app/frame/table_exports.h"
-#include "app/frame/table_rows.h"
-#include "app/base/text.h"
 #include "app/ui/viewport/panels.h"
 #include "app/ui/widgets/widgets.h"
 #include "shaders/shared/views/palette.h"
@@ -24,8 +24,10 @@ constexpr size_t kMostMeshes = 10;
 
 void goToNext(WindowModel& model, const RayWanted& wanted, std::string_view what) {
   const std::optional<uint32_t> pixel = nextRay(*model.frame, model.rayOrder.pixels, model.selected().pixel, wanted);
-  if (pixel) model.selection.selectPixel(*pixel);
-  else model.announce(LogLine::Kind::note, "No ray of this frame is: " + std::string(what));
+  if (pixel)
+    model.selection.selectPixel(*pixel);
+  else
+    model.announce(LogLine::Kind::note, "No ray of this frame is: " + std::string(what));
 }
 
 // A cause's evidence in a table's column; the tooltip has it at length.
@@ -67,9 +69,11 @@ void drawConfirmed(const FrameSnapshot& frame, uint32_t cause) {
   if (!frame.proofs) return smallText("\u2013", uiColour(UiColour::disabled));
   const ProofTotals::Count& count = frame.proofs->causes[cause];
   const uint64_t confirmed = count.alone + count.chain;
-  rightNumber(grouped(confirmed) + "  " + percentOf(confirmed, count.total), meaningColour(confirmed == count.total ? kColourTriangleHit : kColourVoxelHit));
-  const std::string how = grouped(count.alone) + " alone, " + grouped(count.chain) + " as a chain, of " + grouped(count.total) + "; the control confirms " +
-                          percentOf(count.controlChained, count.controlTotal) + ", " + percentOf(count.controlConfirmed, count.controlTotal) + " alone";
+  rightNumber(grouped(confirmed) + "  " + percentOf(confirmed, count.total),
+              meaningColour(confirmed == count.total ? kColourTriangleHit : kColourVoxelHit));
+  const std::string how = grouped(count.alone) + " alone, " + grouped(count.chain) + " as a chain, of " + grouped(count.total) +
+                          "; the control confirms " + percentOf(count.controlChained, count.controlTotal) + ", " +
+                          percentOf(count.controlConfirmed, count.controlTotal) + " alone";
   whyTooltip(how.c_str());
 }
 
@@ -110,9 +114,11 @@ void drawCauseTable(WindowModel& model, const ImVec2& size) {
   const auto& totals = model.frame->truthTotals.causes;
   std::stable_sort(causes.begin(), causes.end(), [&](uint32_t a, uint32_t b) { return totals[a] > totals[b]; });
   const std::optional<uint32_t> pixel = model.selected().pixel;
-  const auto now = pixel && *pixel < model.frame->truths->size() ? std::ranges::find(causes, (*model.frame->truths)[*pixel].cause) : causes.end();
+  const auto now =
+      pixel && *pixel < model.frame->truths->size() ? std::ranges::find(causes, (*model.frame->truths)[*pixel].cause) : causes.end();
   const auto selected = now == causes.end() ? std::nullopt : std::optional(size_t(now - causes.begin()));
-  if (const auto row = rowBeside(selected, model.rowStep, causes.size()); row && row != selected) goToNext(model, {.cause = causes[*row]}, causeName(causes[*row]).title);
+  if (const auto row = rowBeside(selected, model.rowStep, causes.size()); row && row != selected)
+    goToNext(model, {.cause = causes[*row]}, causeName(causes[*row]).title);
   for (const uint32_t cause : causes) drawCauseRow(model, cause);
   ImGui::EndTable();
 }
@@ -148,13 +154,15 @@ void goToMesh(WindowModel& model, uint32_t mesh) {
     const RayTruth& truth = (*frame.truths)[pixel];
     if (truth.cause == kCauseNone || truth.exactReference == kBlank) continue;
     const uint32_t instance = referenceInstance(truth.exactReference);
-    if (instance < frame.scene->numbered.sources.size() && frame.scene->numbered.sources[instance].mesh == mesh) return model.selection.selectPixel(pixel);
+    if (instance < frame.scene->numbered.sources.size() && frame.scene->numbered.sources[instance].mesh == mesh)
+      return model.selection.selectPixel(pixel);
   }
 }
 
 void drawMeshRow(WindowModel& model, size_t place, const GroupLoss& loss, uint64_t most) {
   const std::vector<std::string>& names = model.frame->scene->names.meshes;
-  const std::string name = loss.index < names.size() && !names[loss.index].empty() ? names[loss.index] : "mesh " + std::to_string(loss.index);
+  const std::string name =
+      loss.index < names.size() && !names[loss.index].empty() ? names[loss.index] : "mesh " + std::to_string(loss.index);
   ImGui::TableNextRow(0, unit(20));
   ImGui::TableSetColumnIndex(0);
   ImGui::PushID(static_cast<int>(loss.index));
@@ -191,17 +199,19 @@ void drawMeshTable(WindowModel& model, const ImVec2& size) {
 // --- The strip --------------------------------------------------------------------------------------------------------------------
 
 void drawProve(WindowModel& model) {
-  static uint32_t asked = 0;                           // proveAll when it was asked for last
+  static uint32_t asked = 0;  // proveAll when it was asked for last
   const FrameSnapshot& frame = *model.frame;
   const bool waiting = asked != 0 && asked == model.request.proveAll && !frame.proofs;
   const char* label = waiting ? "Proving..." : "Prove all";
   toTheRight(smallButtonWidth(label) + unit(6) + smallButtonWidth("Export CSV"));
   const bool possible = !waiting && frame.truthTotals.differ() > 0;
   const char* why = waiting ? "The rays are traced again, each without its cause" : "Every ray agrees";
-  if (smallButton(label, "prove", "Traces every ray that differs again with its cause alone taken away, and counts those that then agree", possible, why))
+  if (smallButton(label, "prove", "Traces every ray that differs again with its cause alone taken away, and counts those that then agree",
+                  possible, why))
     asked = ++model.request.proveAll;
   ImGui::SameLine(0.0f, unit(6));
-  if (smallButton("Export CSV", "csv", "Writes the causes, and the meshes that cost rays, as CSV files in the folder where the program was started")) {
+  if (smallButton("Export CSV", "csv",
+                  "Writes the causes, and the meshes that cost rays, as CSV files in the folder where the program was started")) {
     exportCsv(model, "causes", causeRows(frame.truthTotals, frame.proofs.get()));
     if (frame.ledger) exportCsv(model, "costly_meshes", meshRows(*frame.ledger, frame.scene->names));
   }

@@ -3,9 +3,9 @@
 
 #include <algorithm>
 
-#include "app/model/held_ray.h"
-#include "app/frame/table_rows.h"
 #include "app/base/text.h"
+#include "app/frame/table_rows.h"
+#include "app/model/held_ray.h"
 #include "app/ui/viewport/panels.h"
 #include "app/ui/viewport/stale.h"
 #include "app/ui/widgets/widgets.h"
@@ -39,8 +39,9 @@ bool arrowButton(const char* id, float direction, bool enabled, const char* tip)
   whyTooltip(tip);
   const ImVec2 centre(place.x + 0.5f * side, place.y + 0.5f * side);
   const float s = unit(4);
-  ImGui::GetWindowDrawList()->AddTriangleFilled(ImVec2(centre.x - direction * 0.6f * s, centre.y - s), ImVec2(centre.x + direction * s, centre.y),
-                                                ImVec2(centre.x - direction * 0.6f * s, centre.y + s), packed(uiColour(enabled ? UiColour::text : UiColour::disabled)));
+  ImGui::GetWindowDrawList()->AddTriangleFilled(
+      ImVec2(centre.x - direction * 0.6f * s, centre.y - s), ImVec2(centre.x + direction * s, centre.y),
+      ImVec2(centre.x - direction * 0.6f * s, centre.y + s), packed(uiColour(enabled ? UiColour::text : UiColour::disabled)));
   return pressed && enabled;
 }
 
@@ -60,7 +61,8 @@ void drawSelected(WindowModel& model) {
   const StaleDim dim(ofGrid ? model.stale.grid : model.stale.steps);
   switch (selected.last) {
     case Selected::cell:
-      if (frame->grid && selected.cell && gridContains(frame->grid->parameters, *selected.cell)) return drawCellInspector(model, *selected.cell);
+      if (frame->grid && selected.cell && gridContains(frame->grid->parameters, *selected.cell))
+        return drawCellInspector(model, *selected.cell);
       return emptyState("This cell lies outside the present grid.");
     case Selected::triangle:
       if (selected.reference && worldTriangle(*frame, *selected.reference)) return drawTriangleInspector(model, *selected.reference);
@@ -129,7 +131,8 @@ void drawInspectorTitle(WindowModel& model, const InspectorTitle& title) {
   whyTooltip(title.focus ? "Looks there   F" : "There is no place to look at");
   ImGui::PushFont(windowFonts().sansSmall);
   ImGui::SameLine(0.0f, unit(4));
-  if (ImGui::Button("Copy")) ImGui::SetClipboardText((title.name + (title.word.empty() ? "" : ", " + title.word) + "\n" + title.text).c_str());
+  if (ImGui::Button("Copy"))
+    ImGui::SetClipboardText((title.name + (title.word.empty() ? "" : ", " + title.word) + "\n" + title.text).c_str());
   ImGui::PopFont();
   whyTooltip("Copies what is shown as text");
 }
@@ -138,8 +141,8 @@ void factLabel(const char* label, bool changed) {
   if (changed) {
     const ImVec2 place = ImGui::GetCursorScreenPos();
     const float middle = place.y + 0.5f * ImGui::GetTextLineHeight();
-    ImGui::GetWindowDrawList()->AddTriangleFilled(ImVec2(place.x - unit(7), middle - unit(3)), ImVec2(place.x - unit(7), middle + unit(3)), ImVec2(place.x - unit(2), middle),
-                                                  packed(meaningColour(kColourVoxelHit)));
+    ImGui::GetWindowDrawList()->AddTriangleFilled(ImVec2(place.x - unit(7), middle - unit(3)), ImVec2(place.x - unit(7), middle + unit(3)),
+                                                  ImVec2(place.x - unit(2), middle), packed(meaningColour(kColourVoxelHit)));
   }
   textDim(label);
   if (changed) whyTooltip("Changed by this step");
@@ -157,7 +160,8 @@ std::string materialName(const SceneFacts& scene, uint32_t reference) {
   const uint32_t instance = referenceInstance(reference);
   if (instance >= scene.numbered.instances.size()) return "-";
   const uint32_t material = scene.numbered.instances[instance].material;
-  return material < scene.names.materials.size() && !scene.names.materials[material].empty() ? scene.names.materials[material] : printed("material %u", material);
+  return material < scene.names.materials.size() && !scene.names.materials[material].empty() ? scene.names.materials[material]
+                                                                                             : printed("material %u", material);
 }
 
 }  // namespace gridscope

@@ -4,8 +4,8 @@
 #include <optional>
 #include <string>
 
-#include "app/ui/widgets/step_parts.h"
 #include "app/model/window_model.h"
+#include "app/ui/widgets/step_parts.h"
 
 namespace gridscope {
 
@@ -21,11 +21,11 @@ void drawBookmarksTab(WindowModel& model);
 struct InspectorTitle {
   std::string name;
   std::string word;
-  uint32_t colour = 0;                 // kColour... of the word
-  std::optional<StepOutcome> glyph;       // before the word; otherwise a swatch
+  uint32_t colour = 0;               // kColour... of the word
+  std::optional<StepOutcome> glyph;  // before the word; otherwise a swatch
   bool hatched = false;
-  std::optional<Bounds> focus;         // world; nothing: the button is disabled
-  std::string text;                    // what is copied
+  std::optional<Bounds> focus;  // world; nothing: the button is disabled
+  std::string text;             // what is copied
 };
 void drawInspectorTitle(WindowModel& model, const InspectorTitle& title);
 

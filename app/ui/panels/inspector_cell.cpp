@@ -1,13 +1,13 @@
 // The inspector of a cell: its slots with what they name, what it refused, and the rays that it cost.
 #include <algorithm>
 
-#include "app/ui/panels/inspector.h"
-#include "app/ui/panels/table_parts.h"
+#include "app/base/text.h"
 #include "app/frame/ray_stepping.h"
 #include "app/frame/scene_places.h"
 #include "app/frame/table_exports.h"
 #include "app/frame/table_rows.h"
-#include "app/base/text.h"
+#include "app/ui/panels/inspector.h"
+#include "app/ui/panels/table_parts.h"
 #include "app/ui/widgets/widgets.h"
 #include "shaders/shared/views/palette.h"
 
@@ -59,9 +59,11 @@ void drawFacts(WindowModel& model, ivec3 cell, const CellContents& contents) {
   factValue("Bounds, low", pointText(bounds.low));
   factValue("Bounds, high", pointText(bounds.high));
   const uint32_t firstDynamic = firstDynamicReference(frame.grid->parameters);
-  const auto dynamic = static_cast<size_t>(std::count_if(contents.stored.begin(), contents.stored.end(), [&](uint32_t reference) { return reference >= firstDynamic; }));
-  factValue("Static, dynamic", printed("%zu, %zu stored", contents.stored.size() - dynamic, dynamic) +
-                                   (contents.refusedCount ? printed("; %u, %u refused", contents.staticRefused, contents.dynamicRefused) : ""));
+  const auto dynamic = static_cast<size_t>(
+      std::count_if(contents.stored.begin(), contents.stored.end(), [&](uint32_t reference) { return reference >= firstDynamic; }));
+  factValue("Static, dynamic",
+            printed("%zu, %zu stored", contents.stored.size() - dynamic, dynamic) +
+                (contents.refusedCount ? printed("; %u, %u refused", contents.staticRefused, contents.dynamicRefused) : ""));
   if (frame.cellRays) {
     const CellRays& rays = (*frame.cellRays)[idOfCell(frame.grid->parameters, cell)];
     factValue("Queried by", grouped(rays.read + rays.empty) + " rays");
@@ -85,7 +87,9 @@ void drawReferenceRow(WindowModel& model, uint32_t place, uint32_t reference, bo
   ImGui::PushID(static_cast<int>(place));
   const bool selected = refused ? model.selected().reference == reference : model.selected().slot == place;
   if (rowSelectable(selected)) model.selection.selectTriangle(reference);
-  whyTooltip((printed("Reference 0x%08X\n", reference) + instanceName(*frame.scene, name.sceneInstance) + "\n" + materialName(*frame.scene, reference)).c_str());
+  whyTooltip((printed("Reference 0x%08X\n", reference) + instanceName(*frame.scene, name.sceneInstance) + "\n" +
+              materialName(*frame.scene, reference))
+                 .c_str());
   rightNumber(std::to_string(place), refused ? meaningColour(kColourSaturated) : uiColour(UiColour::dim));
   ImGui::TableSetColumnIndex(1);
   leftNumber(printed("%08X", reference), uiColour(UiColour::text));
@@ -104,7 +108,8 @@ void drawReferenceRow(WindowModel& model, uint32_t place, uint32_t reference, bo
 void drawReferenceTable(WindowModel& model, const char* id, const std::vector<uint32_t>& references, bool refused, float height) {
   TableStyle style;
   if (!ImGui::BeginTable(id, 6, kTableFlags | ImGuiTableFlags_ScrollY, ImVec2(0.0f, height))) return;
-  const std::pair<const char*, float> columns[] = {{refused ? "#" : "slot", 0.5f}, {"reference", 1.15f}, {"mesh", 1.2f}, {"material", 1.2f}, {"triangle", 0.95f}, {"rays", 0.6f}};
+  const std::pair<const char*, float> columns[] = {
+      {refused ? "#" : "slot", 0.5f}, {"reference", 1.15f}, {"mesh", 1.2f}, {"material", 1.2f}, {"triangle", 0.95f}, {"rays", 0.6f}};
   for (const auto& [title, weight] : columns) ImGui::TableSetupColumn(title, ImGuiTableColumnFlags_WidthStretch, weight);
   ImGui::TableSetupScrollFreeze(0, 1);
   ImGui::TableNextRow(ImGuiTableRowFlags_Headers, tableRowHeight());
@@ -114,7 +119,8 @@ void drawReferenceTable(WindowModel& model, const char* id, const std::vector<ui
   ImGuiListClipper clipper;
   clipper.Begin(static_cast<int>(references.size()), tableRowHeight());
   while (clipper.Step())
-    for (int row = clipper.DisplayStart; row < clipper.DisplayEnd; ++row) drawReferenceRow(model, first + uint32_t(row), references[size_t(row)], refused);
+    for (int row = clipper.DisplayStart; row < clipper.DisplayEnd; ++row)
+      drawReferenceRow(model, first + uint32_t(row), references[size_t(row)], refused);
   ImGui::EndTable();
 }
 
@@ -135,7 +141,8 @@ std::string plainContents(const SceneFacts& scene, const CellContents& contents)
   for (const auto* list : {&contents.stored, &contents.refused})
     for (const uint32_t reference : *list) {
       const TriangleName name = nameTriangle(scene.numbered, reference);
-      text += printed("%s 0x%08X %s triangle %u\n", list == &contents.stored ? "stored" : "refused", reference, meshName(scene, name.mesh).c_str(), name.triangle);
+      text += printed("%s 0x%08X %s triangle %u\n", list == &contents.stored ? "stored" : "refused", reference,
+                      meshName(scene, name.mesh).c_str(), name.triangle);
     }
   return text;
 }
@@ -145,7 +152,9 @@ std::string plainContents(const SceneFacts& scene, const CellContents& contents)
 void drawCellInspector(WindowModel& model, ivec3 cell) {
   const FrameSnapshot& frame = *model.frame;
   const CellContents& contents = shownContents(frame, cell);
-  InspectorTitle title{.name = "Cell " + cellNumbers(cell), .focus = boundsOfCell(frame.grid->parameters, cell), .text = plainContents(*frame.scene, contents)};
+  InspectorTitle title{.name = "Cell " + cellNumbers(cell),
+                       .focus = boundsOfCell(frame.grid->parameters, cell),
+                       .text = plainContents(*frame.scene, contents)};
   title.word = contents.saturated ? "saturated" : contents.stored.empty() ? "empty" : "in use";
   title.colour = contents.saturated ? kColourSaturated : contents.stored.empty() ? kColourEmpty : kColourTested;
   title.hatched = contents.saturated;
@@ -156,15 +165,22 @@ void drawCellInspector(WindowModel& model, ivec3 cell) {
 
   const bool refused = contents.refusedCount > 0;
   const float room = ImGui::GetContentRegionAvail().y - unit(36) - (refused ? unit(34) : 0.0f);
-  const float refusedHeight = refused ? std::min(rowsHeight(std::max<size_t>(contents.refused.size(), 3)), std::max(0.4f * room, room - rowsHeight(contents.stored.size()))) : 0.0f;
+  const float refusedHeight = refused ? std::min(rowsHeight(std::max<size_t>(contents.refused.size(), 3)),
+                                                 std::max(0.4f * room, room - rowsHeight(contents.stored.size())))
+                                      : 0.0f;
   bool csv = false;
-  const bool open = tableSection("Slots", printed("%zu of %d", contents.stored.size(), frame.grid->parameters.capacity), contents.stored.size(), csv);
+  const bool open =
+      tableSection("Slots", printed("%zu of %d", contents.stored.size(), frame.grid->parameters.capacity), contents.stored.size(), csv);
   if (csv) exportCsv(model, printed("slots_%d_%d_%d", cell.x, cell.y, cell.z), slotRows(*frame.scene, contents));
   if (open) {
-    if (contents.stored.empty()) emptyState("Every slot is blank: rays pass through this cell with one read.");
-    else drawReferenceTable(model, "slots", contents.stored, false, std::max(unit(80), std::min(rowsHeight(contents.stored.size()), room - refusedHeight)));
+    if (contents.stored.empty())
+      emptyState("Every slot is blank: rays pass through this cell with one read.");
+    else
+      drawReferenceTable(model, "slots", contents.stored, false,
+                         std::max(unit(80), std::min(rowsHeight(contents.stored.size()), room - refusedHeight)));
   }
-  if (refused && sectionHeader("Refused", contents.refusedKnown ? grouped(contents.refused.size()) + ", recomputed from the overlap test" : grouped(contents.refusedCount)))
+  if (refused && sectionHeader("Refused", contents.refusedKnown ? grouped(contents.refused.size()) + ", recomputed from the overlap test"
+                                                                : grouped(contents.refusedCount)))
     drawRefused(model, contents, std::max(unit(80), refusedHeight));
 }
 

@@ -2,11 +2,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/ui/panels/inspector.h"
-#include "app/ui/panels/table_parts.h"
+#include "app/base/text.h"
 #include "app/frame/ray_stepping.h"
 #include "app/frame/table_exports.h"
-#include "app/base/text.h"
+#include "app/ui/panels/inspector.h"
+#include "app/ui/panels/table_parts.h"
 #include "app/ui/widgets/widgets.h"
 #include "shaders/shared/views/palette.h"
 
@@ -50,12 +50,15 @@ void drawFacts(WindowModel& model, const ShownStep& shown) {
   const StepFacts& facts = shown.facts;
   factValue("Segment, start", pointText(facts.start));
   factValue("Segment, end", pointText(facts.end));
-  const std::string window = facts.window.y >= kFar ? printed("t from %.3f on", facts.window.x) : printed("t %.3f to %.3f", facts.window.x, facts.window.y);
+  const std::string window =
+      facts.window.y >= kFar ? printed("t from %.3f on", facts.window.x) : printed("t %.3f to %.3f", facts.window.x, facts.window.y);
   factValue("Hits count", window);
   whyTooltip("The elongated segment: hits within it count");
   factLabel("Cell", facts.changes.cell);
-  if (!facts.inGrid) textMono("outside the grid");
-  else if (link(cellNumbers(facts.cell), "cell")) model.selection.selectCell(facts.cell);
+  if (!facts.inGrid)
+    textMono("outside the grid");
+  else if (link(cellNumbers(facts.cell), "cell"))
+    model.selection.selectCell(facts.cell);
   factLabel("Stored, refused", facts.changes.stored || facts.changes.refused);
   textMono(printed("%u,", facts.stored));
   ImGui::SameLine(0.0f, unit(5));
@@ -74,13 +77,13 @@ void drawFacts(WindowModel& model, const ShownStep& shown) {
 // A row of either table: a mesh's name, or a test of it.
 struct TestRow {
   bool isMesh = false;
-  uint32_t mesh = 0, count = 0;        // of a mesh's row
+  uint32_t mesh = 0, count = 0;  // of a mesh's row
   TestRecord test{};
   vec2 weights{0.0f};
   TriangleName name{};
-  bool marked = false;                 // new in this step
+  bool marked = false;  // new in this step
   bool best = false;
-  bool filled = false;                 // the reference that the voxel hit reports
+  bool filled = false;  // the reference that the voxel hit reports
   bool refused = false, wouldHit = false;
 };
 
@@ -98,8 +101,13 @@ std::vector<TestRow> testRows(const ShownStep& shown) {
   size_t meshRow = 0;
   const Hit& hit = shown.ray->record.hit;
   for (const TestFacts& test : shown.facts.tests)
-    addRow(rows, meshRow, {.test = test.test, .weights = test.weights, .name = test.name, .marked = test.isNew, .best = test.best,
-                           .filled = shown.facts.kind == StepOutcome::voxelHit && test.test.reference == hit.reference});
+    addRow(rows, meshRow,
+           {.test = test.test,
+            .weights = test.weights,
+            .name = test.name,
+            .marked = test.isNew,
+            .best = test.best,
+            .filled = shown.facts.kind == StepOutcome::voxelHit && test.test.reference == hit.reference});
   return rows;
 }
 
@@ -122,7 +130,8 @@ void verdictCell(const TestRow& row) {
   if (row.filled) return smallText("last, filled", meaningColour(kColourVoxelHit));
   if (row.wouldHit) return smallText("would hit", meaningColour(kColourTriangleHit));
   swatch(testColour(row.test.verdict));
-  smallText(testWord(row.test), row.best ? meaningColour(kColourTriangleHit) : uiColour(row.test.verdict == kTestOutside ? UiColour::dim : UiColour::text));
+  smallText(testWord(row.test),
+            row.best ? meaningColour(kColourTriangleHit) : uiColour(row.test.verdict == kTestOutside ? UiColour::dim : UiColour::text));
   if (row.test.verdict == kTestAlpha) whyTooltip("Turned down: the byte read from the alpha map is below the material's threshold");
 }
 
@@ -131,7 +140,8 @@ void drawMeshName(const WindowModel& model, const TestRow& row) {
   const ImVec2 place = ImGui::GetCursorScreenPos();
   const float right = ImGui::GetWindowPos().x + ImGui::GetWindowWidth();
   ImGui::PushClipRect(ImVec2(place.x, place.y - unit(2)), ImVec2(right, place.y + tableRowHeight()), false);
-  smallText(meshName(*model.frame->scene, row.mesh) + printed(", %u reference%s", row.count, row.count == 1 ? "" : "s"), uiColour(UiColour::dim));
+  smallText(meshName(*model.frame->scene, row.mesh) + printed(", %u reference%s", row.count, row.count == 1 ? "" : "s"),
+            uiColour(UiColour::dim));
   ImGui::PopClipRect();
 }
 
@@ -143,11 +153,15 @@ void drawTestRow(WindowModel& model, const TestRow& row, int id) {
   const ImVec2 place = ImGui::GetCursorScreenPos();
   if (rowSelectable(row.best || row.filled || row.wouldHit)) model.selection.selectTriangle(row.test.reference);
   whyTooltip((printed("Reference 0x%08X", row.test.reference) + ", " + materialName(*model.frame->scene, row.test.reference) +
-              (row.marked ? "\nNot tested by the step before" : "")).c_str());
+              (row.marked ? "\nNot tested by the step before" : ""))
+                 .c_str());
   ImDrawList* list = ImGui::GetWindowDrawList();
   if (row.marked) list->AddCircleFilled(ImVec2(place.x + unit(1), place.y + unit(8)), unit(2), packed(meaningColour(kColourVoxelHit)), 8);
-  if (row.refused) list->AddRectFilled(ImVec2(place.x, place.y + unit(4)), ImVec2(place.x + unit(8), place.y + unit(12)), packed(meaningColour(kColourSaturated)), unit(1));
-  else rightNumber(std::to_string(row.test.slot), uiColour(UiColour::dim));
+  if (row.refused)
+    list->AddRectFilled(ImVec2(place.x, place.y + unit(4)), ImVec2(place.x + unit(8), place.y + unit(12)),
+                        packed(meaningColour(kColourSaturated)), unit(1));
+  else
+    rightNumber(std::to_string(row.test.slot), uiColour(UiColour::dim));
   ImGui::TableSetColumnIndex(1);
   rightNumber(grouped(row.name.triangle), uiColour(UiColour::link));
   numberCell(2, row, "%.3f", row.test.t);
@@ -160,7 +174,8 @@ void drawTestRow(WindowModel& model, const TestRow& row, int id) {
 void drawTestTable(WindowModel& model, const char* id, const std::vector<TestRow>& rows, float height) {
   TableStyle style;
   if (!ImGui::BeginTable(id, 6, (kTableFlags | ImGuiTableFlags_ScrollY) & ~ImGuiTableFlags_Resizable, ImVec2(0.0f, height))) return;
-  const std::pair<const char*, float> columns[] = {{"slot", 0.55f}, {"triangle", 1.0f}, {"t", 0.9f}, {"u", 0.95f}, {"v", 0.95f}, {"verdict", 1.45f}};
+  const std::pair<const char*, float> columns[] = {{"slot", 0.55f}, {"triangle", 1.0f}, {"t", 0.9f},
+                                                   {"u", 0.95f},    {"v", 0.95f},       {"verdict", 1.45f}};
   for (const auto& [title, weight] : columns) ImGui::TableSetupColumn(title, ImGuiTableColumnFlags_WidthStretch, weight);
   ImGui::TableSetupScrollFreeze(0, 1);
   ImGui::TableNextRow(ImGuiTableRowFlags_Headers, tableRowHeight());
@@ -175,7 +190,8 @@ void drawTestTable(WindowModel& model, const char* id, const std::vector<TestRow
 
 std::string refusedNote(const StepFacts& facts) {
   if (!facts.refusedKnown) return printed("%u", facts.refused);
-  const auto would = std::count_if(facts.refusedTests.begin(), facts.refusedTests.end(), [](const RefusedFacts& refused) { return refused.wouldHit; });
+  const auto would =
+      std::count_if(facts.refusedTests.begin(), facts.refusedTests.end(), [](const RefusedFacts& refused) { return refused.wouldHit; });
   return printed("%zu refused, %td would hit", facts.refusedTests.size(), would);
 }
 
@@ -184,7 +200,8 @@ void drawProof(WindowModel& model, const ShownStep& shown) {
   const RecordedRay& ray = *shown.ray;
   if (!ray.proof || !ray.truth || ray.truth->cell != shown.facts.cell || !ray.proof->confirmed) return;
   const Hit& hit = ray.proof->hit;
-  Sentence sentence{{.text = "Proven. ", .colour = kColourTriangleHit}, {.text = "Without this event the ray ends as the exact reference says: " + hitWords(hit) + "."}};
+  Sentence sentence{{.text = "Proven. ", .colour = kColourTriangleHit},
+                    {.text = "Without this event the ray ends as the exact reference says: " + hitWords(hit) + "."}};
   drawSentenceBox(model, sentence, kColourTriangleHit, "proof");
 }
 
@@ -194,7 +211,9 @@ float tableHeight(size_t rows) { return float(rows + 1) * tableRowHeight() + uni
 std::string plainFacts(const ShownStep& shown) {
   std::string text = plainText(shown.sentence) + "\n" + shown.facts.read + "\n" + shown.facts.went + "\n";
   for (const TestFacts& test : shown.facts.tests)
-    text += printed("slot %u  triangle %u  t %.9g  u %.9g  v %.9g  ", test.test.slot, test.name.triangle, test.test.t, test.weights.x, test.weights.y) + testWord(test.test) + "\n";
+    text += printed("slot %u  triangle %u  t %.9g  u %.9g  v %.9g  ", test.test.slot, test.name.triangle, test.test.t, test.weights.x,
+                    test.weights.y) +
+            testWord(test.test) + "\n";
   return text;
 }
 
@@ -211,20 +230,29 @@ void drawStepInspector(WindowModel& model, const ShownStep& shown) {
   ImGui::Dummy(ImVec2(0.0f, unit(2)));
 
   const std::vector<TestRow> tests = testRows(shown), refused = refusedRows(facts);
-  const auto hits = std::count_if(facts.tests.begin(), facts.tests.end(), [](const TestFacts& test) { return test.test.verdict == kTestHit; });
+  const auto hits =
+      std::count_if(facts.tests.begin(), facts.tests.end(), [](const TestFacts& test) { return test.test.verdict == kTestHit; });
   const bool proven = shown.ray->proof && shown.ray->proof->confirmed;
   const float room = ImGui::GetContentRegionAvail().y - unit(26 + 10) - (facts.refused ? unit(34) : 0.0f) - (proven ? unit(60) : 0.0f);
-  const float refusedHeight = std::min(tableHeight(std::max<size_t>(refused.size(), 1)), std::max(0.35f * room, room - tableHeight(tests.size())));
+  const float refusedHeight =
+      std::min(tableHeight(std::max<size_t>(refused.size(), 1)), std::max(0.35f * room, room - tableHeight(tests.size())));
   bool csv = false;
-  const bool open = tableSection("Tests", printed("%zu tested, %td hit", facts.tests.size(), hits), facts.tests.size() + facts.refusedTests.size(), csv);
+  const bool open =
+      tableSection("Tests", printed("%zu tested, %td hit", facts.tests.size(), hits), facts.tests.size() + facts.refusedTests.size(), csv);
   if (csv) exportCsv(model, printed("tests_step_%u", facts.index), testRows(*model.frame->scene, facts));
   if (open) {
-    if (tests.empty()) emptyState("No reference was tested in this step.");
-    else drawTestTable(model, "tests", tests, std::max(std::min(tableHeight(tests.size()), room - (facts.refused ? refusedHeight : 0.0f)), unit(80)));
+    if (tests.empty())
+      emptyState("No reference was tested in this step.");
+    else
+      drawTestTable(model, "tests", tests,
+                    std::max(std::min(tableHeight(tests.size()), room - (facts.refused ? refusedHeight : 0.0f)), unit(80)));
   }
   if (facts.refused && sectionHeader("Refused", refusedNote(facts))) {
-    if (refused.empty()) emptyState(facts.refusedKnown ? "This grid does not say which." : "Which ones is known once the truth is told: Pixel tab, or the Causes tab.");
-    else drawTestTable(model, "refused", refused, std::max(refusedHeight, unit(80)));
+    if (refused.empty())
+      emptyState(facts.refusedKnown ? "This grid does not say which."
+                                    : "Which ones is known once the truth is told: Pixel tab, or the Causes tab.");
+    else
+      drawTestTable(model, "refused", refused, std::max(refusedHeight, unit(80)));
   }
   drawProof(model, shown);
 }

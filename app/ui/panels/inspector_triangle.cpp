@@ -1,14 +1,14 @@
 // The inspector of a triangle, with the cells that hold or refused it, and of an instance, with what can be done to it.
 #include <algorithm>
 
+#include "app/base/text.h"
 #include "app/frame/find_next.h"
 #include "app/frame/instance_edits.h"
+#include "app/frame/scene_places.h"
+#include "app/frame/table_exports.h"
+#include "app/frame/table_rows.h"
 #include "app/ui/panels/inspector.h"
 #include "app/ui/panels/table_parts.h"
-#include "app/frame/scene_places.h"
-#include "app/frame/table_rows.h"
-#include "app/frame/table_exports.h"
-#include "app/base/text.h"
 #include "app/ui/widgets/widgets.h"
 #include "shaders/shared/views/palette.h"
 
@@ -16,7 +16,7 @@ namespace gridscope {
 
 namespace {
 
-constexpr float kMostOffset = 1e6f;   // world units
+constexpr float kMostOffset = 1e6f;  // world units
 
 // The selected triangle's cells, found once.
 const TriangleCells& shownCells(const FrameSnapshot& frame, uint32_t reference) {
@@ -62,7 +62,9 @@ void drawCellRow(WindowModel& model, ivec3 cell, bool refused, int id) {
 // Those that refused it come first.
 void drawCells(WindowModel& model, const TriangleCells& cells) {
   TableStyle style;
-  if (!ImGui::BeginTable("cells", 4, kTableFlags | ImGuiTableFlags_ScrollY, ImVec2(0.0f, std::max(unit(80), ImGui::GetContentRegionAvail().y - unit(4))))) return;
+  if (!ImGui::BeginTable("cells", 4, kTableFlags | ImGuiTableFlags_ScrollY,
+                         ImVec2(0.0f, std::max(unit(80), ImGui::GetContentRegionAvail().y - unit(4)))))
+    return;
   const std::pair<const char*, bool> columns[] = {{"cell", false}, {"", false}, {"tried", true}, {"refused", true}};
   for (const auto& [title, right] : columns) ImGui::TableSetupColumn(title, ImGuiTableColumnFlags_WidthStretch, right ? 0.8f : 1.2f);
   ImGui::TableSetupScrollFreeze(0, 1);
@@ -89,10 +91,12 @@ void drawEdits(WindowModel& model, uint32_t sceneInstance, bool isDynamic) {
   std::vector<InstanceEdit>& edits = model.request.edits;
   const bool changed = editOf(edits, sceneInstance) != nullptr, gone = isTakenOut(editOf(edits, sceneInstance));
   using Kind = InstanceEdit::Kind;
-  if (keyButton("Hide", "", !foreign && !gone, foreign ? why : "It is gone already")) setEdit(edits, {.sceneInstance = sceneInstance, .kind = Kind::hide});
+  if (keyButton("Hide", "", !foreign && !gone, foreign ? why : "It is gone already"))
+    setEdit(edits, {.sceneInstance = sceneInstance, .kind = Kind::hide});
   whyTooltip("Takes it out of the scene, as if it were not drawn; the static grid is built again");
   ImGui::SameLine(0.0f, unit(6));
-  if (keyButton("Delete", "", !foreign && !gone, foreign ? why : "It is gone already")) setEdit(edits, {.sceneInstance = sceneInstance, .kind = Kind::remove});
+  if (keyButton("Delete", "", !foreign && !gone, foreign ? why : "It is gone already"))
+    setEdit(edits, {.sceneInstance = sceneInstance, .kind = Kind::remove});
   whyTooltip("Takes it out for good, as destruction in a game does; the static grid is built again");
   ImGui::SameLine(0.0f, unit(6));
   if (keyButton("Make dynamic", "", !foreign && !gone && !isDynamic, foreign ? why : gone ? "It is gone" : "It is dynamic already"))
@@ -106,14 +110,15 @@ void drawEdits(WindowModel& model, uint32_t sceneInstance, bool isDynamic) {
   ImGui::SetNextItemWidth(-1.0f);
   ImGui::PushFont(windowFonts().mono);
   const float speed = model.frame->grid ? 0.05f * model.frame->grid->parameters.cellEdge : 0.01f;
-  if (ImGui::DragFloat3("##offset", &edit.offset.x, speed, 0.0f, 0.0f, "%.3f") && glm::length(edit.offset) < kMostOffset) setEdit(edits, edit);
+  if (ImGui::DragFloat3("##offset", &edit.offset.x, speed, 0.0f, 0.0f, "%.3f") && glm::length(edit.offset) < kMostOffset)
+    setEdit(edits, edit);
   ImGui::PopFont();
   whyTooltip("World units. Drag here, or the handles at its centre in the viewport: the grid is updated, as for any moving thing");
 }
 
 struct InstanceShape {
   uint64_t triangles = 0;
-  uint32_t first = kBlank;             // its first piece in the grid's numbering; kBlank: it has none
+  uint32_t first = kBlank;  // its first piece in the grid's numbering; kBlank: it has none
 };
 
 InstanceShape shapeOf(const NumberedScene& numbered, uint32_t sceneInstance) {
@@ -131,7 +136,8 @@ void drawLosses(WindowModel& model, uint32_t sceneInstance) {
   if (!loss) return factValue("References", "known once the truth is told");
   factValue("References", grouped(loss->stored) + " stored");
   factLabel("Refused");
-  leftNumber(grouped(loss->lost) + "  " + percentOf(loss->lost, loss->lost + loss->stored), loss->lost ? meaningColour(kColourSaturated) : uiColour(UiColour::text));
+  leftNumber(grouped(loss->lost) + "  " + percentOf(loss->lost, loss->lost + loss->stored),
+             loss->lost ? meaningColour(kColourSaturated) : uiColour(UiColour::text));
   factValue("Rays lost", model.frame->truths ? grouped(loss->rays) : "-");
 }
 
@@ -143,9 +149,12 @@ void drawTriangleInspector(WindowModel& model, uint32_t reference) {
   const Triangle triangle = *worldTriangle(frame, reference);
   const TriangleName name = nameTriangle(scene.numbered, reference);
   const bool dynamic = referenceInstance(reference) >= scene.numbered.staticInstanceCount;
-  InspectorTitle title{.name = "Triangle " + grouped(name.triangle), .word = dynamic ? "dynamic" : "static", .colour = dynamic ? kColourRevisit : kColourTested,
+  InspectorTitle title{.name = "Triangle " + grouped(name.triangle),
+                       .word = dynamic ? "dynamic" : "static",
+                       .colour = dynamic ? kColourRevisit : kColourTested,
                        .focus = boundsOfTriangle(frame, reference)};
-  title.text = meshName(scene, name.mesh) + printed(" 0x%08X\n", reference) + pointText(triangle.a) + "\n" + pointText(triangle.b) + "\n" + pointText(triangle.c);
+  title.text = meshName(scene, name.mesh) + printed(" 0x%08X\n", reference) + pointText(triangle.a) + "\n" + pointText(triangle.b) + "\n" +
+               pointText(triangle.c);
   drawInspectorTitle(model, title);
   factValue("Mesh", meshName(scene, name.mesh));
   factLabel("Instance");
@@ -161,7 +170,8 @@ void drawTriangleInspector(WindowModel& model, uint32_t reference) {
   factLabel("Stored, refused");
   textMono(grouped(cells.stored.size()) + ",");
   ImGui::SameLine(0.0f, unit(5));
-  leftNumber(cells.refusedKnown ? grouped(cells.refused.size()) : "?", cells.refused.empty() ? uiColour(UiColour::text) : meaningColour(kColourSaturated));
+  leftNumber(cells.refusedKnown ? grouped(cells.refused.size()) : "?",
+             cells.refused.empty() ? uiColour(UiColour::text) : meaningColour(kColourSaturated));
   if (!cells.refusedKnown) whyTooltip("Known once the truth is told");
   drawTriangleRays(model, reference);
   ImGui::Dummy(ImVec2(0.0f, unit(2)));
@@ -180,13 +190,20 @@ void drawInstanceInspector(WindowModel& model, uint32_t sceneInstance) {
   const InstanceShape shape = shapeOf(scene.numbered, sceneInstance);
   const bool gone = isTakenOut(editOf(model.request.edits, sceneInstance));
   const bool dynamic = shape.first != kBlank && shape.first >= scene.numbered.staticInstanceCount;
-  InspectorTitle title{.name = instanceName(scene, sceneInstance), .word = gone ? "taken out" : dynamic ? "dynamic" : "static",
-                       .colour = gone ? kColourEmpty : dynamic ? kColourRevisit : kColourTested};
+  InspectorTitle title{.name = instanceName(scene, sceneInstance),
+                       .word = gone      ? "taken out"
+                               : dynamic ? "dynamic"
+                                         : "static",
+                       .colour = gone      ? kColourEmpty
+                                 : dynamic ? kColourRevisit
+                                           : kColourTested};
   if (shape.first != kBlank) title.focus = boundsOfInstance(frame, sceneInstance);
   drawInspectorTitle(model, title);
   const uint32_t mesh = shape.first != kBlank ? scene.numbered.sources[shape.first].mesh : 0;
   factValue("Instance", std::to_string(sceneInstance));
-  factValue("Mesh", shape.first != kBlank ? meshName(scene, mesh) : sceneInstance < scene.meshOfInstance.size() ? scene.meshOfInstance[sceneInstance] : "-");
+  factValue("Mesh", shape.first != kBlank                         ? meshName(scene, mesh)
+                    : sceneInstance < scene.meshOfInstance.size() ? scene.meshOfInstance[sceneInstance]
+                                                                  : "-");
   if (shape.first != kBlank) factValue("Material", materialName(scene, makeReference(shape.first, 0)));
   factValue("Triangles", grouped(shape.triangles));
   drawLosses(model, sceneInstance);

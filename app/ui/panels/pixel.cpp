@@ -3,17 +3,17 @@
 #include <algorithm>
 #include <array>
 
+#include "app/base/text.h"
 #include "app/frame/find_next.h"
-#include "app/model/held_ray.h"
-#include "app/ui/panels/inspector.h"
-#include "app/ui/panels/table_parts.h"
-#include "app/ui/panels/truth_marks.h"
-#include "app/report/pixel_brief.h"
 #include "app/frame/ray_stepping.h"
 #include "app/frame/scene_places.h"
 #include "app/frame/table_exports.h"
 #include "app/frame/table_rows.h"
-#include "app/base/text.h"
+#include "app/model/held_ray.h"
+#include "app/report/pixel_brief.h"
+#include "app/ui/panels/inspector.h"
+#include "app/ui/panels/table_parts.h"
+#include "app/ui/panels/truth_marks.h"
 #include "app/ui/widgets/widgets.h"
 #include "shaders/shared/views/palette.h"
 
@@ -34,7 +34,8 @@ SentencePart partOf(const RecordedRay& ray, const SceneFacts& scene, const Story
     case StoryPart::Kind::step:
       made.link = SentencePart::Link::step;
       for (size_t i = 0; i < ray.record.steps.size(); ++i)
-        if (ray.record.steps[i].segment == part.segment) made.number = static_cast<uint32_t>(i), made.text = part.text.substr(0, 5) + std::to_string(i);
+        if (ray.record.steps[i].segment == part.segment)
+          made.number = static_cast<uint32_t>(i), made.text = part.text.substr(0, 5) + std::to_string(i);
       break;
     case StoryPart::Kind::refused: made.colour = kColourSaturated; break;
     default: break;
@@ -52,8 +53,15 @@ const Sentence& shownStory(const FrameSnapshot& frame, const std::shared_ptr<con
   story.clear();
   const TraceInput trace{*frame.grid, frame.scene->numbered, *frame.worldTriangles, frame.parameters.trace};
   const TruthInput truth{trace, *frame.demand};
-  const StoryInput input{.truth = truth, .names = frame.scene->names, .pixel = ray.pixel, .width = frame.request.settings->width, .ray = ray.ray,
-                         .traced = ray.record.hit, .exact = *ray.exact, .told = *ray.truth, .proof = nullptr};
+  const StoryInput input{.truth = truth,
+                         .names = frame.scene->names,
+                         .pixel = ray.pixel,
+                         .width = frame.request.settings->width,
+                         .ray = ray.ray,
+                         .traced = ray.record.hit,
+                         .exact = *ray.exact,
+                         .told = *ray.truth,
+                         .proof = nullptr};
   for (const StoryPart& part : tellBriefly(input)) story.push_back(partOf(ray, *frame.scene, part));
   return story;
 }
@@ -62,7 +70,8 @@ void drawProof(WindowModel& model, const RecordedRay& ray) {
   if (ray.truth->cause == kCauseNone) return;
   if (!ray.proof) {
     const bool asked = model.request.proveRecorded;
-    if (keyButton(asked ? "Proving..." : "Prove", "", !asked, "The ray is traced again without this event")) model.request.proveRecorded = true;
+    if (keyButton(asked ? "Proving..." : "Prove", "", !asked, "The ray is traced again without this event"))
+      model.request.proveRecorded = true;
     whyTooltip("Traces the ray again with this event alone taken away: the cause is proven when it then agrees");
     return;
   }
@@ -73,11 +82,13 @@ void drawProof(WindowModel& model, const RecordedRay& ray) {
   if (proof.confirmed) {
     sentence.push_back({.text = "Proven. ", .colour = kColourTriangleHit});
     const char* how = proof.foreign ? "With that rule changed" : proofWords(links == 1 ? proof.links[0].cause : kCauseNone);
-    sentence.push_back({.text = links == 1 ? printed("%s, the ray %s.", how, end) : printed("With these %zu events taken away in turn, the ray %s:", links, end)});
+    sentence.push_back({.text = links == 1 ? printed("%s, the ray %s.", how, end)
+                                           : printed("With these %zu events taken away in turn, the ray %s:", links, end)});
   } else {
     sentence.push_back({.text = "Not confirmed. ", .colour = kColourHole});
-    sentence.push_back({.text = links == 1 ? "Taking this event away leaves the ray different: " + hitWords(proof.hit) + "."
-                                           : printed("Taking these %zu events away leaves the ray different: ", links) + hitWords(proof.hit) + ":"});
+    sentence.push_back(
+        {.text = links == 1 ? "Taking this event away leaves the ray different: " + hitWords(proof.hit) + "."
+                            : printed("Taking these %zu events away leaves the ray different: ", links) + hitWords(proof.hit) + ":"});
   }
   for (size_t i = 0; links > 1 && i < links; ++i) {
     sentence.push_back({.text = " " + std::string(causeName(proof.links[i].cause).title)});
@@ -105,7 +116,10 @@ void compareRow(const char* label, const std::string& grid, const std::string& e
 void kindCell(int column, const Hit* hit) {
   ImGui::TableSetColumnIndex(column);
   if (!hit) return smallText("not told", uiColour(UiColour::disabled));
-  const char* word = hit->kind == kHitTriangle ? "triangle hit" : hit->kind == kHitVoxel ? "voxel hit" : hit->kind == kHitNoRay ? "no ray" : "miss";
+  const char* word = hit->kind == kHitTriangle ? "triangle hit"
+                     : hit->kind == kHitVoxel  ? "voxel hit"
+                     : hit->kind == kHitNoRay  ? "no ray"
+                                               : "miss";
   smallText(word, meaningColour(hitKindColour(hit->kind)));
 }
 
@@ -135,7 +149,9 @@ void drawComparison(WindowModel& model, const RecordedRay& ray) {
   const Hit* grid = &ray.record.hit;
   const Hit* exact = ray.exact ? &*ray.exact : nullptr;
   const auto distance = [](const Hit* hit) { return hit && hit->reference != kBlank ? printed("%.6f", hit->t) : std::string("-"); };
-  const auto mesh = [&](const Hit* hit) { return hit && hit->reference != kBlank ? meshName(scene, nameTriangle(scene.numbered, hit->reference).mesh) : std::string("-"); };
+  const auto mesh = [&](const Hit* hit) {
+    return hit && hit->reference != kBlank ? meshName(scene, nameTriangle(scene.numbered, hit->reference).mesh) : std::string("-");
+  };
   TableStyle style;
   if (!ImGui::BeginTable("grid and exact", 3, kTableFlags & ~ImGuiTableFlags_Resizable)) return;
   ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthStretch, 0.7f);
@@ -160,11 +176,12 @@ struct VerdictLine {
   uint64_t rays;
   uint32_t verdict;
   bool agrees;
-  bool outlined;                       // agreeing misses: a frame, not a square
+  bool outlined;  // agreeing misses: a frame, not a square
 };
 
 std::vector<VerdictLine> verdictLines(const TruthTotals& totals) {
-  std::vector<VerdictLine> lines{{"Agrees, hit", totals.agreeHit, kVerdictAgrees, true, false}, {"Agrees, miss", totals.agreeMiss, kVerdictAgrees, true, true}};
+  std::vector<VerdictLine> lines{{"Agrees, hit", totals.agreeHit, kVerdictAgrees, true, false},
+                                 {"Agrees, miss", totals.agreeMiss, kVerdictAgrees, true, true}};
   for (const uint32_t verdict : {kVerdictHole, kVerdictVoxelRight, kVerdictVoxelWrong, kVerdictTooFar, kVerdictTooNear}) {
     std::string title(verdictName(verdict).title);
     if (!title.empty()) title[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(title[0])));
@@ -183,7 +200,8 @@ void drawVerdictBar(const std::vector<VerdictLine>& lines, uint64_t rays) {
     const float part = width * float(double(line.rays) / double(std::max<uint64_t>(rays, 1)));
     ImVec4 colour = lineColour(line);
     if (line.outlined) colour.w = 0.4f;
-    if (part > 0.0f) ImGui::GetWindowDrawList()->AddRectFilled(ImVec2(x, low.y), ImVec2(x + std::max(part - 1.0f, 1.0f), low.y + height), packed(colour));
+    if (part > 0.0f)
+      ImGui::GetWindowDrawList()->AddRectFilled(ImVec2(x, low.y), ImVec2(x + std::max(part - 1.0f, 1.0f), low.y + height), packed(colour));
     x += part;
   }
   ImGui::Dummy(ImVec2(width, height + unit(2)));
@@ -194,8 +212,10 @@ void drawVerdictRow(WindowModel& model, const VerdictLine& line) {
   ImGui::TableSetColumnIndex(0);
   const ImVec2 place = ImGui::GetCursorScreenPos();
   const ImVec2 low(place.x, place.y + unit(3)), high(place.x + unit(10), place.y + unit(13));
-  if (line.outlined) ImGui::GetWindowDrawList()->AddRect(low, high, packed(lineColour(line)), unit(2));
-  else ImGui::GetWindowDrawList()->AddRectFilled(low, high, packed(lineColour(line)), unit(2));
+  if (line.outlined)
+    ImGui::GetWindowDrawList()->AddRect(low, high, packed(lineColour(line)), unit(2));
+  else
+    ImGui::GetWindowDrawList()->AddRectFilled(low, high, packed(lineColour(line)), unit(2));
   ImGui::Dummy(ImVec2(unit(10), unit(14)));
   ImGui::SameLine(0.0f, unit(6));
   smallText(line.title, uiColour(UiColour::text));
@@ -207,7 +227,8 @@ void drawVerdictRow(WindowModel& model, const VerdictLine& line) {
   ImGui::TableSetColumnIndex(3);
   if (line.agrees || line.rays == 0) return;
   if (!link("next", line.title.c_str())) return;
-  if (const auto pixel = nextRay(*model.frame, model.rayOrder.pixels, model.selected().pixel, {.verdict = line.verdict})) model.selection.selectPixel(*pixel);
+  if (const auto pixel = nextRay(*model.frame, model.rayOrder.pixels, model.selected().pixel, {.verdict = line.verdict}))
+    model.selection.selectPixel(*pixel);
 }
 
 void drawVerdicts(WindowModel& model) {
@@ -243,7 +264,9 @@ void drawWorstCells(WindowModel& model) {
   if (worst.empty()) return emptyState("No cell cost a pixel.");
   TableStyle style;
   const float room = ImGui::GetContentRegionAvail().y - unit(40);
-  if (!ImGui::BeginTable("worst cells", 4, (kTableFlags | ImGuiTableFlags_ScrollY) & ~ImGuiTableFlags_Resizable, ImVec2(0.0f, std::max(room, unit(120))))) return;
+  if (!ImGui::BeginTable("worst cells", 4, (kTableFlags | ImGuiTableFlags_ScrollY) & ~ImGuiTableFlags_Resizable,
+                         ImVec2(0.0f, std::max(room, unit(120)))))
+    return;
   const char* titles[] = {"cell", "tried", "refused", "pixels"};
   for (const char* title : titles) ImGui::TableSetupColumn(title, ImGuiTableColumnFlags_WidthStretch, title == titles[0] ? 1.6f : 1.0f);
   ImGui::TableSetupScrollFreeze(0, 1);
@@ -277,13 +300,16 @@ void drawButtons(WindowModel& model, const RecordedRay& ray) {
   }
   if (!ray.truth || ray.truth->verdict == kVerdictAgrees) return;
   ImGui::SameLine(0.0f, unit(6));
-  if (keyButton("Next such", "") )
-    if (const auto pixel = nextRay(*model.frame, model.rayOrder.pixels, ray.pixel, {.verdict = ray.truth->verdict, .cause = ray.truth->cause})) model.selection.selectPixel(*pixel);
+  if (keyButton("Next such", ""))
+    if (const auto pixel =
+            nextRay(*model.frame, model.rayOrder.pixels, ray.pixel, {.verdict = ray.truth->verdict, .cause = ray.truth->cause}))
+      model.selection.selectPixel(*pixel);
   whyTooltip("The next ray of the same verdict and cause");
 }
 
 void drawUntold(WindowModel& model) {
-  if (model.request.truth) return emptyState(model.frame->truths ? "Comparing this ray with the exact hit..." : "Comparing every ray with the exact hit...");
+  if (model.request.truth)
+    return emptyState(model.frame->truths ? "Comparing this ray with the exact hit..." : "Comparing every ray with the exact hit...");
   emptyState("Whether this ray agrees with the exact hit, and if not why, is not known yet.");
   if (keyButton("Tell the truth", "")) model.request.truth = true;
   whyTooltip("Traces every ray of the frame against all triangles, and finds the cause of each that differs; some seconds");
@@ -306,7 +332,8 @@ void drawRay(WindowModel& model, const std::shared_ptr<const RecordedRay>& shown
   drawInspectorTitle(model, title);
   if (ray.ray.valid == 0) return emptyState("No surface is seen here, so there is no ray.");
   if (told) {
-    drawSentenceBox(model, shownStory(frame, shown), ray.truth->cause == kCauseNone ? kColourTriangleHit : causeColour(ray.truth->cause), "story");
+    drawSentenceBox(model, shownStory(frame, shown), ray.truth->cause == kCauseNone ? kColourTriangleHit : causeColour(ray.truth->cause),
+                    "story");
     ImGui::Dummy(ImVec2(0.0f, unit(1)));
     drawProof(model, ray);
   } else {
@@ -323,8 +350,10 @@ void drawRay(WindowModel& model, const std::shared_ptr<const RecordedRay>& shown
 void drawPixelTab(WindowModel& model) {
   if (!model.frame || !model.frame->scene || !model.frame->request.settings) return emptyState("No frame yet.");
   const std::shared_ptr<const RecordedRay> ray = shownRay(model);
-  if (ray) drawRay(model, ray);
-  else emptyState(model.selected().pixel ? "Recording the ray..." : "No pixel selected. Click one, or press N for the next hole.");
+  if (ray)
+    drawRay(model, ray);
+  else
+    emptyState(model.selected().pixel ? "Recording the ray..." : "No pixel selected. Click one, or press N for the next hole.");
   if (!model.frame->truths) return;
   drawVerdicts(model);
   drawWorstCells(model);

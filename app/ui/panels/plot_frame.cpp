@@ -25,7 +25,8 @@ float plotText(const ImVec2& place, const std::string& text, const ImVec4& colou
 }
 
 void dashedLine(float x, float top, float bottom, ImU32 colour) {
-  for (float y = top; y < bottom; y += unit(7)) ImGui::GetWindowDrawList()->AddLine(ImVec2(x, y), ImVec2(x, std::min(bottom, y + unit(4))), colour, unit(1));
+  for (float y = top; y < bottom; y += unit(7))
+    ImGui::GetWindowDrawList()->AddLine(ImVec2(x, y), ImVec2(x, std::min(bottom, y + unit(4))), colour, unit(1));
 }
 
 static float lineHeight() { return unit(15); }
@@ -34,11 +35,12 @@ PlotFrame::PlotFrame(const PlotLook& look, const ImVec2& low, const ImVec2& high
   float labels = 0.0f;
   for (const PlotTick& tick : plotTicks(look.y, 6)) labels = std::max(labels, plotTextWidth(tick.text + look.yUnit, true));
   low_ = ImVec2(low.x + labels + unit(8), low.y + unit(24));
-  high_ = ImVec2(high.x - unit(look.legendWidth) - unit(6),
-                 high.y - unit(look.footHeight) - (look.ticksX ? lineHeight() + unit(2) : 0.0f) - (look.xTitle.empty() ? 0.0f : lineHeight()));
+  high_ = ImVec2(high.x - unit(look.legendWidth) - unit(6), high.y - unit(look.footHeight) - (look.ticksX ? lineHeight() + unit(2) : 0.0f) -
+                                                                (look.xTitle.empty() ? 0.0f : lineHeight()));
 
   ImGui::PushFont(windowFonts().sansBold);
-  if (!look.title.empty()) ImGui::GetWindowDrawList()->AddText(ImVec2(low.x, low.y + unit(2)), packed(uiColour(UiColour::text)), look.title.c_str());
+  if (!look.title.empty())
+    ImGui::GetWindowDrawList()->AddText(ImVec2(low.x, low.y + unit(2)), packed(uiColour(UiColour::text)), look.title.c_str());
   const float titleWidth = ImGui::CalcTextSize(look.title.c_str()).x;
   ImGui::PopFont();
   const float noteWidth = plotTextWidth(look.note, false);
@@ -48,7 +50,8 @@ PlotFrame::PlotFrame(const PlotLook& look, const ImVec2& low, const ImVec2& high
   drawYTicks(look);
   drawXTicks(look);
   if (!look.xTitle.empty())
-    plotText(ImVec2(0.5f * (low_.x + high_.x - plotTextWidth(look.xTitle, false)), high_.y + lineHeight() + unit(2)), look.xTitle, uiColour(UiColour::dim), false);
+    plotText(ImVec2(0.5f * (low_.x + high_.x - plotTextWidth(look.xTitle, false)), high_.y + lineHeight() + unit(2)), look.xTitle,
+             uiColour(UiColour::dim), false);
 }
 
 void PlotFrame::drawYTicks(const PlotLook& look) const {

@@ -10,14 +10,14 @@
 namespace gridscope {
 
 struct PlotLook {
-  std::string title;                   // at the top left; empty: the place is left to the caller
-  std::string note;                    // at the top right: units
-  std::string xTitle;                  // below the ticks; empty: none
+  std::string title;   // at the top left; empty: the place is left to the caller
+  std::string note;    // at the top right: units
+  std::string xTitle;  // below the ticks; empty: none
   PlotScale x, y;
-  std::string yUnit;                   // behind each y label: " %"
-  float legendWidth = 0.0f;            // left free at the right, at UI scale 1
-  float footHeight = 0.0f;             // left free below the axis, at UI scale 1
-  bool gridX = false;                  // lines at the x ticks too
+  std::string yUnit;         // behind each y label: " %"
+  float legendWidth = 0.0f;  // left free at the right, at UI scale 1
+  float footHeight = 0.0f;   // left free below the axis, at UI scale 1
+  bool gridX = false;        // lines at the x ticks too
   bool ticksX = true;
 };
 
@@ -29,10 +29,10 @@ class PlotFrame {
   bool drawn() const { return high_.x - low_.x > 20.0f && high_.y - low_.y > 20.0f; }
   float x(double value) const;
   float y(double value) const;
-  const ImVec2& low() const { return low_; }     // of the plot's inside
+  const ImVec2& low() const { return low_; }  // of the plot's inside
   const ImVec2& high() const { return high_; }
-  bool hovered() const;                           // the mouse is inside, and over this window
-  double mouseX() const;                          // value under it
+  bool hovered() const;   // the mouse is inside, and over this window
+  double mouseX() const;  // value under it
 
  private:
   void drawYTicks(const PlotLook& look) const;

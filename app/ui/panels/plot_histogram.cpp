@@ -5,12 +5,12 @@
 #include <functional>
 
 #include "app/base/beside.h"
+#include "app/base/text.h"
 #include "app/frame/histogram.h"
 #include "app/ui/panels/plot_frame.h"
 #include "app/ui/panels/plots.h"
 #include "app/ui/panels/range_slider.h"
 #include "app/ui/panels/table_parts.h"
-#include "app/base/text.h"
 #include "app/ui/widgets/widgets.h"
 #include "views/view.h"
 
@@ -24,8 +24,8 @@ constexpr uint32_t kMostBars = 64;
 struct CountedWords {
   Counted what;
   const char* title;
-  const char* many;                    // of what a bar counts
-  const char* unitName;                // of the values
+  const char* many;      // of what a bar counts
+  const char* unitName;  // of the values
   std::array<const char*, 3> views;
 };
 
@@ -38,7 +38,7 @@ constexpr CountedWords kWords[] = {
 
 // One of the two histograms, kept between display frames.
 struct HistogramPanel {
-  size_t counted;                      // into kWords
+  size_t counted;  // into kWords
   Beside<Histogram> job{};
 };
 
@@ -106,15 +106,18 @@ std::string barText(const Histogram& histogram, size_t bar, const CountedWords& 
   const uint64_t first = uint64_t(bar) * histogram.width;
   const bool open = histogram.lastIsOpen && bar + 1 == histogram.counts.size();
   std::string range = grouped(first);
-  if (open) range += " to " + grouped(histogram.largest);
-  else if (histogram.width > 1) range += " to " + grouped(first + histogram.width - 1);
-  return range + " " + words.unitName + ": " + grouped(histogram.counts[bar]) + " " + words.many + ", " + percentOf(histogram.counts[bar], histogram.total);
+  if (open)
+    range += " to " + grouped(histogram.largest);
+  else if (histogram.width > 1)
+    range += " to " + grouped(first + histogram.width - 1);
+  return range + " " + words.unitName + ": " + grouped(histogram.counts[bar]) + " " + words.many + ", " +
+         percentOf(histogram.counts[bar], histogram.total);
 }
 
 struct BarColours {
   uint32_t map;
   ValueRange range;
-  std::optional<uint32_t> capacity;    // above it: pink and hatched
+  std::optional<uint32_t> capacity;  // above it: pink and hatched
 };
 
 void drawBars(const PlotFrame& plot, const Histogram& histogram, const BarColours& colours, const CountedWords& words) {
@@ -137,7 +140,8 @@ void drawBars(const PlotFrame& plot, const Histogram& histogram, const BarColour
   const double value = double(*under) * histogram.width;
   ImVec4 glow = uiColour(UiColour::text);
   glow.w = 0.12f;
-  list->AddRectFilled(ImVec2(plot.x(value - 0.5 * histogram.width), plot.low().y), ImVec2(plot.x(value + 0.5 * histogram.width), plot.high().y), packed(glow));
+  list->AddRectFilled(ImVec2(plot.x(value - 0.5 * histogram.width), plot.low().y),
+                      ImVec2(plot.x(value + 0.5 * histogram.width), plot.high().y), packed(glow));
   ImGui::SetTooltip("%s", barText(histogram, *under, words).c_str());
 }
 
@@ -152,11 +156,13 @@ void drawCapacity(const WindowModel& model, const PlotFrame& plot, uint32_t capa
   const auto word = [&](float place, const std::string& text, const ImVec4& colour) {
     ImVec4 ground = uiColour(UiColour::panel);
     ground.w = 0.8f;
-    ImGui::GetWindowDrawList()->AddRectFilled(ImVec2(place - unit(2), y), ImVec2(place + plotTextWidth(text, false) + unit(2), y + unit(15)), packed(ground));
+    ImGui::GetWindowDrawList()->AddRectFilled(ImVec2(place - unit(2), y),
+                                              ImVec2(place + plotTextWidth(text, false) + unit(2), y + unit(15)), packed(ground));
     plotText(ImVec2(place, y), text, colour, false);
   };
   if (x - leftWidth - unit(5) > plot.low().x) word(x - leftWidth - unit(5), left, uiColour(UiColour::text));
-  if (totals.statistics.saturated > 0 && x + rightWidth + unit(5) < plot.high().x) word(x + unit(5), right, meaningColour(kColourSaturated));
+  if (totals.statistics.saturated > 0 && x + rightWidth + unit(5) < plot.high().x)
+    word(x + unit(5), right, meaningColour(kColourSaturated));
 }
 
 // The slider below the axis, and the buttons that fit its range or show the view that it belongs to.
@@ -170,8 +176,10 @@ void drawRange(WindowModel& model, const PlotFrame& plot, const PlotScale& scale
   }
   const View* view = findView(pane ? std::string_view(pane->view) : std::string_view(words.views[0]));
   const std::string name = view ? std::string(view->title) : words.views[0];
-  if (pane) whyTooltip(("Colour range of the view " + name + ": " + plotNumber(range[0]) + " to " + plotNumber(range[1])).c_str());
-  else whyTooltip(("No view shows these values now; show " + name + " to set its range here").c_str());
+  if (pane)
+    whyTooltip(("Colour range of the view " + name + ": " + plotNumber(range[0]) + " to " + plotNumber(range[1])).c_str());
+  else
+    whyTooltip(("No view shows these values now; show " + name + " to set its range here").c_str());
 }
 
 void drawButtons(WindowModel& model, const CountedWords& words, float right, float top) {
@@ -182,8 +190,10 @@ void drawButtons(WindowModel& model, const CountedWords& words, float right, flo
   if (!smallButton(label.c_str(), words.title, pane ? "Fits the colour range to the values" : "Shows the view of these values", possible,
                    "The range is fitted to the values already"))
     return;
-  if (pane) pane->range.reset();
-  else model.panes[size_t(model.activePane)] = Pane{.view = words.views[0]};
+  if (pane)
+    pane->range.reset();
+  else
+    model.panes[size_t(model.activePane)] = Pane{.view = words.views[0]};
 }
 
 }  // namespace
@@ -197,7 +207,8 @@ void drawHistogram(WindowModel& model, int place, const ImVec2& low, const ImVec
   drawButtons(model, words, high.x, low.y);
   const std::optional<Histogram>& histogram = panel.job.value();
   if (!histogram || histogram->counts.empty()) {
-    plotText(ImVec2(low.x, low.y + unit(30)), !histogram ? "Counting..." : "Nothing counted: show the view " + std::string(words.views[0]) + " once.",
+    plotText(ImVec2(low.x, low.y + unit(30)),
+             !histogram ? "Counting..." : "Nothing counted: show the view " + std::string(words.views[0]) + " once.",
              uiColour(UiColour::dim), false);
     return;
   }
@@ -210,8 +221,11 @@ void drawHistogram(WindowModel& model, int place, const ImVec2& low, const ImVec
   if (!plot.drawn()) return;
   const Pane* pane = paneShowing(model, words);
   const ValueRange fitted{0.0f, ofCells(words.what) ? float(capacity) : float(end)};
-  drawBars(plot, *histogram, {.map = model.colourMap, .range = pane ? shownRange(model, *pane) : fitted,
-                              .capacity = ofCells(words.what) ? std::optional(uint32_t(capacity)) : std::nullopt}, words);
+  drawBars(plot, *histogram,
+           {.map = model.colourMap,
+            .range = pane ? shownRange(model, *pane) : fitted,
+            .capacity = ofCells(words.what) ? std::optional(uint32_t(capacity)) : std::nullopt},
+           words);
   if (ofCells(words.what)) drawCapacity(model, plot, uint32_t(capacity));
   drawRange(model, plot, x, words);
 }

@@ -2,10 +2,10 @@
 #include <algorithm>
 #include <array>
 
+#include "app/base/text.h"
+#include "app/frame/stage_history.h"
 #include "app/ui/panels/plot_frame.h"
 #include "app/ui/panels/plots.h"
-#include "app/frame/stage_history.h"
-#include "app/base/text.h"
 #include "app/ui/widgets/widgets.h"
 
 namespace gridscope {
@@ -14,7 +14,7 @@ namespace {
 
 struct Stage {
   const char* name;
-  uint32_t colour;                     // 0xRRGGBB
+  uint32_t colour;  // 0xRRGGBB
   double (*time)(const StageTimes&);
 };
 
@@ -38,8 +38,10 @@ std::vector<Stack> stacksOf(const StageHistory& history) {
   for (const StageMoment& moment : history.moments()) {
     Stack stack;
     for (size_t stage = 0; stage < kStages.size(); ++stage) stack[stage] = std::max(0.0, kStages[stage].time(moment.times));
-    if (stack[kBuild] == build) stack[kBuild] = 0.0;
-    else build = stack[kBuild];
+    if (stack[kBuild] == build)
+      stack[kBuild] = 0.0;
+    else
+      build = stack[kBuild];
     stacks.push_back(stack);
   }
   return stacks;
@@ -81,7 +83,8 @@ void drawChanges(const PlotFrame& plot, const StageHistory& history) {
     if (x < free || x + width + unit(4) > plot.high().x) continue;
     ImVec4 ground = uiColour(UiColour::panel);
     ground.w = 0.8f;
-    ImGui::GetWindowDrawList()->AddRectFilled(ImVec2(x + unit(2), plot.low().y), ImVec2(x + width + unit(6), plot.low().y + unit(15)), packed(ground));
+    ImGui::GetWindowDrawList()->AddRectFilled(ImVec2(x + unit(2), plot.low().y), ImVec2(x + width + unit(6), plot.low().y + unit(15)),
+                                              packed(ground));
     plotText(ImVec2(x + unit(4), plot.low().y), change, uiColour(UiColour::text), false);
     free = x + width + unit(10);
   }
@@ -126,8 +129,13 @@ void drawStageTimes(WindowModel& model, const ImVec2& low, const ImVec2& high) {
   const std::vector<Stack> stacks = stacksOf(model.stageHistory);
   double highest = 0.0;
   for (const Stack& stack : stacks) highest = std::max(highest, sumOf(stack));
-  PlotLook look{.title = "Stage times, last 200 frames", .note = "ms", .x = {.low = -double(StageHistory::kMost) + 0.5, .high = 0.5},
-                .y = scaleFromZero(highest), .legendWidth = 108.0f, .footHeight = 16.0f, .ticksX = false};
+  PlotLook look{.title = "Stage times, last 200 frames",
+                .note = "ms",
+                .x = {.low = -double(StageHistory::kMost) + 0.5, .high = 0.5},
+                .y = scaleFromZero(highest),
+                .legendWidth = 108.0f,
+                .footHeight = 16.0f,
+                .ticksX = false};
   const PlotFrame plot(look, low, high);
   if (!plot.drawn()) return;
   const float labels = plot.high().y + unit(3);

@@ -25,13 +25,13 @@ Grip gripAt(float x, float low, float high) {
 struct Drag {
   ImGuiID id = 0;
   Grip grip = kNone;
-  double offset = 0.0;                 // of the low end's place from the mouse's
-  double length = 0.0;                 // of the bar, as a share of the slider
+  double offset = 0.0;  // of the low end's place from the mouse's
+  double length = 0.0;  // of the bar, as a share of the slider
 };
 
 bool moveRange(const Drag& drag, double place, const PlotScale& scale, std::array<float, 2>& range) {
   const std::array<float, 2> before = range;
-  const double least = 1e-3;           // of the slider's length between the ends
+  const double least = 1e-3;  // of the slider's length between the ends
   if (drag.grip == kLow) {
     range[0] = float(scale.valueAt(std::clamp(place, 0.0, std::max(0.0, scale.placeOf(range[1]) - least))));
   } else if (drag.grip == kHigh) {
@@ -51,7 +51,8 @@ void drawHandle(ImDrawList* list, float x, float middle, ImU32 colour) {
 
 float rangeSliderHeight() { return unit(14); }
 
-bool rangeSlider(const char* id, const std::array<float, 3>& placeAndWidth, const PlotScale& scale, std::array<float, 2>& range, bool enabled) {
+bool rangeSlider(const char* id, const std::array<float, 3>& placeAndWidth, const PlotScale& scale, std::array<float, 2>& range,
+                 bool enabled) {
   static Drag drag;
   const auto [left, top, width] = placeAndWidth;
   const auto xOf = [&](float value) { return left + width * float(std::clamp(scale.placeOf(value), 0.0, 1.0)); };
@@ -64,7 +65,8 @@ bool rangeSlider(const char* id, const std::array<float, 3>& placeAndWidth, cons
   const double place = double(ImGui::GetIO().MousePos.x - left) / double(width);
   if (enabled && ImGui::IsItemActivated()) {
     const double low = scale.placeOf(range[0]), high = scale.placeOf(range[1]);
-    drag = {.id = item, .grip = gripAt(ImGui::GetIO().MousePos.x, xOf(range[0]), xOf(range[1])), .offset = low - place, .length = high - low};
+    drag = {
+        .id = item, .grip = gripAt(ImGui::GetIO().MousePos.x, xOf(range[0]), xOf(range[1])), .offset = low - place, .length = high - low};
   }
   if (enabled && ImGui::IsItemActive() && drag.id == item) changed = moveRange(drag, place, scale, range);
 

@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/base/text.h"
+#include "app/frame/table_exports.h"
 #include "app/model/flow.h"
 #include "app/ui/panels/table_parts.h"
-#include "app/frame/table_exports.h"
-#include "app/base/text.h"
 #include "app/ui/widgets/widgets.h"
 
 namespace gridscope {
@@ -28,7 +28,8 @@ bool filterChip(const std::string& text, const char* id) {
 
 void drawExport(WindowModel& model, SheetPanel& panel) {
   const std::shared_ptr<const TableResult>& table = panel.job.result();
-  if (!exportButton("Writes the rows shown, in this order, as a CSV file", table && !table->shown.rows.empty(), "The table has no rows")) return;
+  if (!exportButton("Writes the rows shown, in this order, as a CSV file", table && !table->shown.rows.empty(), "The table has no rows"))
+    return;
   exportCsv(model, table->sheet->name, table->shown.rows.size(), [table] { return sheetCsv(*table->sheet, table->shown.rows); });
 }
 
@@ -51,7 +52,8 @@ void drawStrip(WindowModel& model, SheetPanel& panel) {
 void drawEmpty(WindowModel& model, const SheetPanel& panel, const TableResult& table) {
   const std::string many = tableNoun(panel.kind, true);
   const size_t total = table.sheet->rowCount();
-  if (total == 0) return emptyState(panel.kind == TableKind::rays ? "This frame has no rays." : ("The grid holds no " + many + ".").c_str());
+  if (total == 0)
+    return emptyState(panel.kind == TableKind::rays ? "This frame has no rays." : ("The grid holds no " + many + ".").c_str());
   if (table.shown.inArea == 0) {
     emptyState(("The selected area leaves none of " + grouped(total) + " " + many + ".").c_str());
     if (link("Clear the area", "clear-area")) model.area.reset();
@@ -80,7 +82,8 @@ void setUpColumns(const Sheet& sheet, const SheetPanel& panel, const SheetAction
     if (index == panel.order.column) flags |= ImGuiTableColumnFlags_DefaultSort;
     ImGui::TableSetupColumn(column.title.c_str(), flags, columnWeight(column), static_cast<ImGuiID>(index));
   }
-  if (actions.lastTitle) ImGui::TableSetupColumn(actions.lastTitle, ImGuiTableColumnFlags_NoSort, 2.7f, static_cast<ImGuiID>(sheet.columns.size()));
+  if (actions.lastTitle)
+    ImGui::TableSetupColumn(actions.lastTitle, ImGuiTableColumnFlags_NoSort, 2.7f, static_cast<ImGuiID>(sheet.columns.size()));
   ImGui::TableSetupScrollFreeze(0, 1);
 }
 
@@ -110,15 +113,19 @@ void drawValue(const SheetColumn& column, size_t row, const std::optional<uint32
   const bool known = column.known && !std::isnan(column.values[row]);
   if (column.kind == ColumnKind::word) {
     if (colour) swatch(*colour), ImGui::SameLine(0.0f, unit(6));
-    if (known) smallText(text, names ? uiColour(UiColour::link) : uiColour(UiColour::text));
-    else smallText(text, uiColour(UiColour::disabled));
+    if (known)
+      smallText(text, names ? uiColour(UiColour::link) : uiColour(UiColour::text));
+    else
+      smallText(text, uiColour(UiColour::disabled));
     return;
   }
   ImVec4 ink = colour ? meaningColour(*colour) : uiColour(UiColour::text);
   if (names) ink = uiColour(UiColour::link);
   if (!known) ink = uiColour(UiColour::disabled);
-  if (isNumber(column)) rightNumber(text, ink);
-  else leftNumber(text, ink);
+  if (isNumber(column))
+    rightNumber(text, ink);
+  else
+    leftNumber(text, ink);
 }
 
 void drawRow(const Sheet& sheet, size_t row, const SheetActions& actions) {
@@ -146,7 +153,8 @@ void scrollToSelection(SheetPanel& panel, const TableResult& table, const SheetA
   const auto found = std::find_if(rows.begin(), rows.end(), [&](uint32_t row) { return table.sheet->ids[row] == *actions.selectedId; });
   if (found == rows.end()) return;
   const float top = float(found - rows.begin()) * tableRowHeight(), height = ImGui::GetWindowHeight() - unit(20);
-  if (top < ImGui::GetScrollY() || top + tableRowHeight() > ImGui::GetScrollY() + height) ImGui::SetScrollY(std::max(0.0f, top - 0.5f * height));
+  if (top < ImGui::GetScrollY() || top + tableRowHeight() > ImGui::GetScrollY() + height)
+    ImGui::SetScrollY(std::max(0.0f, top - 0.5f * height));
 }
 
 // Up and Down: as a click on the row beside the selected one.
@@ -158,7 +166,7 @@ void stepRow(WindowModel& model, SheetPanel& panel, const TableResult& table, co
     if (table.sheet->ids[rows[place]] == *actions.selectedId) selected = place;
   if (const auto row = rowBeside(selected, model.rowStep, rows.size()); row && row != selected) {
     actions.click(table.sheet->ids[rows[*row]]);
-    panel.shownId.reset();             // comes into sight, as a selection made elsewhere does
+    panel.shownId.reset();  // comes into sight, as a selection made elsewhere does
   }
 }
 
@@ -183,7 +191,8 @@ void drawTable(SheetPanel& panel, const TableResult& table, const SheetActions& 
 void drawSheet(WindowModel& model, SheetPanel& panel, const SheetActions& actions) {
   if (!model.frame || !model.frame->scene) return emptyState("No frame yet: it shows here as soon as the first one is done.");
   // While the stages run again the last table stays.
-  if (canMakeSheet(panel.kind, *model.frame)) panel.job.want({.kind = panel.kind, .frame = model.frame, .area = model.area, .search = model.search, .order = panel.order});
+  if (canMakeSheet(panel.kind, *model.frame))
+    panel.job.want({.kind = panel.kind, .frame = model.frame, .area = model.area, .search = model.search, .order = panel.order});
   drawStrip(model, panel);
   const std::shared_ptr<const TableResult> table = panel.job.result();
   if (!table) return emptyState("Counting...");

@@ -15,16 +15,16 @@ struct SheetPanel {
   TableKind kind;
   SheetOrder order;
   TableJob job{};
-  std::optional<uint32_t> shownId{};       // the selection that the table was last scrolled to
+  std::optional<uint32_t> shownId{};  // the selection that the table was last scrolled to
 };
 
 // What a table's rows mean.
 struct SheetActions {
-  std::optional<uint32_t> selectedId;                                // row to mark
-  std::function<void(uint32_t id)> click;                            // a row was clicked
+  std::optional<uint32_t> selectedId;                                          // row to mark
+  std::function<void(uint32_t id)> click;                                      // a row was clicked
   std::function<std::optional<uint32_t>(size_t column, double value)> swatch;  // 0xRRGGBB square before a word, or a number's colour
-  const char* unknownWhy = "";                                       // what must happen for columns that are not known
-  const char* lastTitle = nullptr;                                   // one more column, drawn by drawLast
+  const char* unknownWhy = "";                                                 // what must happen for columns that are not known
+  const char* lastTitle = nullptr;                                             // one more column, drawn by drawLast
   std::function<void(uint32_t id, size_t row)> drawLast;
 };
 

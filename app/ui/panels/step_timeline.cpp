@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/ui/widgets/step_parts.h"
-#include "app/ui/panels/table_parts.h"
-#include "app/frame/ray_stepping.h"
 #include "app/base/text.h"
+#include "app/frame/ray_stepping.h"
+#include "app/ui/panels/table_parts.h"
+#include "app/ui/widgets/step_parts.h"
 #include "app/ui/widgets/widgets.h"
 #include "shaders/shared/views/palette.h"
 
@@ -15,7 +15,7 @@ namespace gridscope {
 
 namespace {
 
-constexpr float kLabels = 92.0f;                       // pixels at UI scale 1
+constexpr float kLabels = 92.0f;  // pixels at UI scale 1
 constexpr float kLeastColumn = 22.0f, kMostColumn = 58.0f;
 constexpr float kNumberRow = 18.0f, kGlyphRow = 24.0f;
 
@@ -41,7 +41,9 @@ void drawLabels(const Rows& rows) {
   ImDrawList* list = ImGui::GetWindowDrawList();
   ImFont* font = windowFonts().sansSmall;
   const float x = ImGui::GetWindowPos().x + unit(10);
-  const auto label = [&](float y, const char* text) { list->AddText(font, font->FontSize, ImVec2(x, y - 0.5f * font->FontSize), packed(uiColour(UiColour::dim)), text); };
+  const auto label = [&](float y, const char* text) {
+    list->AddText(font, font->FontSize, ImVec2(x, y - 0.5f * font->FontSize), packed(uiColour(UiColour::dim)), text);
+  };
   label(rows.top + unit(0.5f * kNumberRow), "step");
   label(rows.glyphs + unit(0.5f * kGlyphRow), "outcome");
   label(0.5f * (rows.testsTop + rows.testsBottom), "tests");
@@ -51,7 +53,8 @@ void drawLabels(const Rows& rows) {
 void centredText(ImDrawList* list, ImVec2 middle, const std::string& text, const ImVec4& colour) {
   ImFont* font = windowFonts().mono;
   const float width = font->CalcTextSizeA(font->FontSize, FLT_MAX, 0.0f, text.c_str()).x;
-  list->AddText(font, font->FontSize, ImVec2(std::floor(middle.x - 0.5f * width), std::floor(middle.y - 0.5f * font->FontSize)), packed(colour), text.c_str());
+  list->AddText(font, font->FontSize, ImVec2(std::floor(middle.x - 0.5f * width), std::floor(middle.y - 0.5f * font->FontSize)),
+                packed(colour), text.c_str());
 }
 
 void drawTestBar(const Rows& rows, const RayRecord& record, uint32_t step, size_t most) {
@@ -95,7 +98,8 @@ void drawGate(const FrameSnapshot& frame, const RecordedRay& ray, const Rows& ro
   for (uint32_t step = begin; step < end; ++step) {
     const ImVec2 here(rows.x(step), scale.y(rows, stepTravel(frame, ray, step)));
     if (step + 1 < ray.record.steps.size())
-      list->AddLine(here, ImVec2(rows.x(step + 1), scale.y(rows, stepTravel(frame, ray, step + 1))), packed(uiColour(UiColour::text)), unit(1.3f));
+      list->AddLine(here, ImVec2(rows.x(step + 1), scale.y(rows, stepTravel(frame, ray, step + 1))), packed(uiColour(UiColour::text)),
+                    unit(1.3f));
     if (dot) list->AddCircleFilled(here, unit(2), packed(uiColour(UiColour::text)), 8);
   }
 
@@ -150,8 +154,10 @@ void scrollToStep(const RecordedRay& ray, uint32_t step, float column) {
   lastRay = &ray, lastStep = step;
   const float left = float(step) * column, room = ImGui::GetWindowWidth() - unit(kLabels), margin = 2.0f * column;
   const float scroll = ImGui::GetScrollX();
-  if (left - margin < scroll) ImGui::SetScrollX(std::max(0.0f, left - margin));
-  else if (left + column + margin > scroll + room) ImGui::SetScrollX(left + column + margin - room);
+  if (left - margin < scroll)
+    ImGui::SetScrollX(std::max(0.0f, left - margin));
+  else if (left + column + margin > scroll + room)
+    ImGui::SetScrollX(left + column + margin - room);
 }
 
 }  // namespace
@@ -164,7 +170,8 @@ void drawStepTimeline(WindowModel& model, const RecordedRay& ray, uint32_t step,
   const float column = std::clamp(room / float(count), unit(kLeastColumn), unit(kMostColumn));
   const bool scrolls = column * float(count) > room;
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0.0f, 0.0f));
-  ImGui::BeginChild("steps", ImVec2(0.0f, height), false, ImGuiWindowFlags_NoScrollWithMouse | (scrolls ? ImGuiWindowFlags_HorizontalScrollbar : 0));
+  ImGui::BeginChild("steps", ImVec2(0.0f, height), false,
+                    ImGuiWindowFlags_NoScrollWithMouse | (scrolls ? ImGuiWindowFlags_HorizontalScrollbar : 0));
   ImGui::PopStyleVar();
   scrollToStep(ray, step, column);
   const float inner = height - (scrolls ? ImGui::GetStyle().ScrollbarSize : 0.0f);
@@ -185,7 +192,9 @@ void drawStepTimeline(WindowModel& model, const RecordedRay& ray, uint32_t step,
   const uint32_t every = column >= unit(22) ? 1 : 5;
   list->AddLine(ImVec2(left, rows.testsBottom), ImVec2(right, rows.testsBottom), packed(uiColour(UiColour::line)));
   for (uint32_t i = begin; i < end; ++i) {
-    if (i % every == 0 || i == step) centredText(list, ImVec2(rows.x(i), rows.top + unit(0.5f * kNumberRow)), std::to_string(i), uiColour(i == step ? UiColour::text : UiColour::dim));
+    if (i % every == 0 || i == step)
+      centredText(list, ImVec2(rows.x(i), rows.top + unit(0.5f * kNumberRow)), std::to_string(i),
+                  uiColour(i == step ? UiColour::text : UiColour::dim));
     drawStepGlyph(list, ImVec2(rows.x(i), rows.glyphs + unit(0.5f * kGlyphRow)), std::min(unit(13), 0.7f * column), stepOutcome(record, i));
     drawTestBar(rows, record, i, most);
   }

@@ -3,12 +3,12 @@
 #include <array>
 #include <cmath>
 
-#include "app/model/held_ray.h"
-#include "app/ui/widgets/step_parts.h"
-#include "app/ui/panels/step_timeline.h"
-#include "app/frame/ray_stepping.h"
 #include "app/base/text.h"
+#include "app/frame/ray_stepping.h"
+#include "app/model/held_ray.h"
+#include "app/ui/panels/step_timeline.h"
 #include "app/ui/viewport/panels.h"
+#include "app/ui/widgets/step_parts.h"
 #include "app/ui/widgets/widgets.h"
 #include "shaders/shared/views/palette.h"
 
@@ -21,9 +21,12 @@ enum class Icon { first, back, play, pause, forward, last };
 void drawIcon(ImDrawList* list, ImVec2 centre, Icon icon, ImU32 colour) {
   const float s = unit(5);
   const auto arrow = [&](float x, float direction) {
-    list->AddTriangleFilled(ImVec2(x - direction * 0.6f * s, centre.y - 0.8f * s), ImVec2(x + direction * 0.7f * s, centre.y), ImVec2(x - direction * 0.6f * s, centre.y + 0.8f * s), colour);
+    list->AddTriangleFilled(ImVec2(x - direction * 0.6f * s, centre.y - 0.8f * s), ImVec2(x + direction * 0.7f * s, centre.y),
+                            ImVec2(x - direction * 0.6f * s, centre.y + 0.8f * s), colour);
   };
-  const auto bar = [&](float x) { list->AddRectFilled(ImVec2(x - unit(1), centre.y - 0.8f * s), ImVec2(x + unit(1), centre.y + 0.8f * s), colour); };
+  const auto bar = [&](float x) {
+    list->AddRectFilled(ImVec2(x - unit(1), centre.y - 0.8f * s), ImVec2(x + unit(1), centre.y + 0.8f * s), colour);
+  };
   switch (icon) {
     case Icon::first: bar(centre.x - s), arrow(centre.x + 0.2f * s, -1.0f); break;
     case Icon::back: arrow(centre.x - 0.2f * s, -1.0f), bar(centre.x + s); break;
@@ -44,7 +47,8 @@ bool iconButton(Icon icon, const char* tip, bool enabled, const char* whyNot) {
   if (!enabled) ImGui::EndDisabled();
   ImGui::PopID();
   whyTooltip(enabled ? tip : whyNot);
-  drawIcon(ImGui::GetWindowDrawList(), ImVec2(place.x + 0.5f * side, place.y + 0.5f * side), icon, packed(uiColour(enabled ? UiColour::text : UiColour::disabled)));
+  drawIcon(ImGui::GetWindowDrawList(), ImVec2(place.x + 0.5f * side, place.y + 0.5f * side), icon,
+           packed(uiColour(enabled ? UiColour::text : UiColour::disabled)));
   ImGui::SameLine(0.0f, unit(4));
   return pressed && enabled;
 }
@@ -69,7 +73,8 @@ void drawSpeed(WindowModel& model) {
   ImGui::SameLine(0.0f, unit(6));
   ImGui::SetNextItemWidth(unit(56));
   ImGui::PushFont(windowFonts().mono);
-  ImGui::SliderFloat("##speed", &model.stepsPerSecond, 1.0f, 60.0f, "%.0f / s", ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp);
+  ImGui::SliderFloat("##speed", &model.stepsPerSecond, 1.0f, 60.0f, "%.0f / s",
+                     ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp);
   ImGui::PopFont();
   whyTooltip("Steps a second while playing");
   ImGui::SameLine(0.0f, unit(14));
@@ -99,10 +104,10 @@ void drawSearches(WindowModel& model, const RayRecord& record, uint32_t step) {
 // Room, pixels at UI scale 1, from which the light's words stand beside it, with the neighbouring rays behind.
 constexpr float kWideLight = 380.0f;
 
-constexpr float kNeighbours = 170.0f;   // room that the two buttons take, pixels at UI scale 1
+constexpr float kNeighbours = 170.0f;  // room that the two buttons take, pixels at UI scale 1
 
 void drawNeighbours(WindowModel& model) {
-  if (ImGui::GetContentRegionAvail().x < unit(kNeighbours)) return ImGui::NewLine();   // the keys and the menu remain
+  if (ImGui::GetContentRegionAvail().x < unit(kNeighbours)) return ImGui::NewLine();  // the keys and the menu remain
   if (keyButton("Previous", "[")) nextRay(model, -1);
   whyTooltip(("The ray before in the order of " + model.rayOrder.name).c_str());
   ImGui::SameLine(0.0f, unit(4));
@@ -121,7 +126,8 @@ void drawRayLine(WindowModel& model, const RecordedRay& ray) {
     ImGui::SameLine(0.0f, unit(12));
     return drawNeighbours(model);
   }
-  const char* said = ray.equalsFrame ? (wide ? "Record equals the frame's hit" : "equal") : (wide ? "Record differs from the frame's hit" : "differs");
+  const char* said =
+      ray.equalsFrame ? (wide ? "Record equals the frame's hit" : "equal") : (wide ? "Record differs from the frame's hit" : "differs");
   const ImVec2 place = ImGui::GetCursorScreenPos();
   const ImU32 colour = packed(meaningColour(ray.equalsFrame ? kColourTriangleHit : kColourHole));
   ImGui::GetWindowDrawList()->AddCircleFilled(ImVec2(place.x + unit(4), place.y + unit(12)), unit(4), colour, 12);
@@ -130,7 +136,8 @@ void drawRayLine(WindowModel& model, const RecordedRay& ray) {
   ImGui::AlignTextToFramePadding();
   textDim(said);
   whyTooltip((std::string(ray.equalsFrame ? "Record equals the frame's hit" : "Record differs from the frame's hit") +
-              "\nThe recording trace ended with: " + hitWords(ray.record.hit) + "\nThe frame's trace ended with: " + hitWords(ray.frameHit)).c_str());
+              "\nThe recording trace ended with: " + hitWords(ray.record.hit) + "\nThe frame's trace ended with: " + hitWords(ray.frameHit))
+                 .c_str());
 
   ImGui::SameLine(0.0f, unit(12));
   drawNeighbours(model);

@@ -16,16 +16,23 @@ void drawToggles(WindowModel& model, uint32_t instance, bool animated) {
   const InstanceEdit* edit = editOf(edits, instance);
   const bool captured = model.frame->scene->captureFrames > 0, gone = isTakenOut(edit), made = isMadeDynamic(edit);
   const char* captureWhy = "A capture's instances stay as they were captured";
-  if (rowButton(gone ? "Show" : "Hide", "hide", gone ? "Puts it back; the static grid is built again" : "Takes it away; the static grid is built again", !captured, captureWhy)) {
-    if (gone) dropEdit(edits, instance);
-    else setEdit(edits, {.sceneInstance = instance, .kind = Kind::hide});
+  if (rowButton(gone ? "Show" : "Hide", "hide",
+                gone ? "Puts it back; the static grid is built again" : "Takes it away; the static grid is built again", !captured,
+                captureWhy)) {
+    if (gone)
+      dropEdit(edits, instance);
+    else
+      setEdit(edits, {.sceneInstance = instance, .kind = Kind::hide});
   }
   ImGui::SameLine(0.0f, unit(4));
   const char* why = captured ? captureWhy : gone ? "It was taken out: show it first" : "It is dynamic in the scene already";
-  if (rowButton(made ? "Static" : "Dynamic", "dynamic", made ? "Makes it static again, where it was" : "Makes it dynamic: cleared and added again every frame, and can be dragged",
+  if (rowButton(made ? "Static" : "Dynamic", "dynamic",
+                made ? "Makes it static again, where it was" : "Makes it dynamic: cleared and added again every frame, and can be dragged",
                 !captured && !gone && (made || !animated), why)) {
-    if (made) dropEdit(edits, instance);
-    else setEdit(edits, {.sceneInstance = instance, .kind = Kind::makeDynamic});
+    if (made)
+      dropEdit(edits, instance);
+    else
+      setEdit(edits, {.sceneInstance = instance, .kind = Kind::makeDynamic});
   }
 }
 

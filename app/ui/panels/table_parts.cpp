@@ -49,7 +49,6 @@ float smallButtonWidth(const char* label) {
 }
 
 static bool paddedButton(const char* label, const char* id, float paddingY, bool enabled) {
-
   ImGui::PushID(id);
   ImGui::PushFont(windowFonts().sansSmall);
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(unit(6), paddingY));
@@ -76,7 +75,8 @@ bool rowButton(const char* label, const char* id, const char* tooltip, bool enab
 
 bool exportButton(const char* tooltip, bool enabled, const char* whyNot) {
   toTheRight(smallButtonWidth("Export CSV"));
-  return smallButton("Export CSV", "csv", (std::string(tooltip) + ", in the folder where the program was started").c_str(), enabled, whyNot);
+  return smallButton("Export CSV", "csv", (std::string(tooltip) + ", in the folder where the program was started").c_str(), enabled,
+                     whyNot);
 }
 
 void tableTitle(const char* title, bool toTheRight) {

@@ -20,10 +20,10 @@ class TableStyle {
   TableStyle& operator=(const TableStyle&) = delete;
 };
 
-float tableRowHeight();                              // of one row, pixels of this window
+float tableRowHeight();  // of one row, pixels of this window
 
-void beginStrip();                                   // the line above a table: what comes next stands on it
-void toTheRight(float width);                        // goes on in the present line, `width` before the right edge, where there is room
+void beginStrip();             // the line above a table: what comes next stands on it
+void toTheRight(float width);  // goes on in the present line, `width` before the right edge, where there is room
 bool smallButton(const char* label, const char* id, const char* tooltip, bool enabled = true, const char* whyNot = "");
 bool rowButton(const char* label, const char* id, const char* tooltip, bool enabled = true, const char* whyNot = "");  // within a row
 float smallButtonWidth(const char* label);

@@ -30,7 +30,8 @@ void drawRaysTable(WindowModel& model) {
     if (column == size_t(RayColumn::cause)) return causeColour(uint32_t(value));
     return std::nullopt;
   };
-  actions.unknownWhy = "Not known yet: verdicts and causes need the truth (Causes tab), visits and tests the counting trace (view them once)";
+  actions.unknownWhy =
+      "Not known yet: verdicts and causes need the truth (Causes tab), visits and tests the counting trace (view them once)";
   drawSheet(model, panel, actions);
   keepRayOrder(model, panel);
 }

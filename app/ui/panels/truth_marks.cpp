@@ -1,9 +1,9 @@
 // See truth_marks.h.
 #include "app/ui/panels/truth_marks.h"
 
-#include "shaders/shared/views/palette.h"
 #include "shaders/shared/pipeline/parameters.h"
 #include "shaders/shared/truth/truth.h"
+#include "shaders/shared/views/palette.h"
 
 namespace gridscope {
 

@@ -3,12 +3,12 @@
 
 #include <algorithm>
 
+#include "app/base/text.h"
+#include "app/frame/table_exports.h"
 #include "app/model/comparison.h"
+#include "app/report/tune_report.h"
 #include "app/ui/panels/sheet.h"
 #include "app/ui/panels/table_parts.h"
-#include "app/frame/table_exports.h"
-#include "app/base/text.h"
-#include "app/report/tune_report.h"
 #include "app/ui/viewport/panels.h"
 #include "app/ui/widgets/widgets.h"
 
@@ -58,10 +58,11 @@ std::optional<size_t> rowOfFrame(const WindowModel& model, const TunerPanel& tun
   const FrameSettings& now = *model.request.settings;
   for (size_t index = 0; index < tuner.state.rows.size(); ++index) {
     const TuneRow& row = tuner.state.rows[index];
-    const bool sameGrid = row.grid.cells == now.grid.cells && row.grid.cellEdge == now.grid.cellEdge && row.grid.capacity == now.grid.capacity &&
-                          row.grid.overlap == now.grid.overlap && row.grid.numberBy == now.grid.numberBy;
-    const bool sameTrace = row.trace.traversal == now.trace.traversal && row.trace.back == now.trace.back && row.trace.ahead == now.trace.ahead &&
-                           row.trace.gate == now.trace.gate;
+    const bool sameGrid = row.grid.cells == now.grid.cells && row.grid.cellEdge == now.grid.cellEdge &&
+                          row.grid.capacity == now.grid.capacity && row.grid.overlap == now.grid.overlap &&
+                          row.grid.numberBy == now.grid.numberBy;
+    const bool sameTrace = row.trace.traversal == now.trace.traversal && row.trace.back == now.trace.back &&
+                           row.trace.ahead == now.trace.ahead && row.trace.gate == now.trace.gate;
     if (sameGrid && sameTrace) return index;
   }
   return std::nullopt;
@@ -86,8 +87,10 @@ void axisRow(const char* name, std::vector<Value>& axis, const std::vector<Value
     ImGui::BeginDisabled(last);
     ImGui::PushID(static_cast<int>(index));
     if (ImGui::Checkbox(textOf(choices[index]).c_str(), &on)) {
-      if (on) axis.insert(std::upper_bound(axis.begin(), axis.end(), choices[index]), choices[index]);
-      else axis.erase(found);
+      if (on)
+        axis.insert(std::upper_bound(axis.begin(), axis.end(), choices[index]), choices[index]);
+      else
+        axis.erase(found);
     }
     ImGui::PopID();
     ImGui::EndDisabled();
@@ -105,7 +108,8 @@ void drawAxes(const WindowModel& model, TunerPanel& tuner) {
   axisRow("Capacity", axes.capacities, {4, 8, 16, 24, 32, 48, 64, 128}, whole);
   axisRow("Overlap", axes.overlaps, usual.overlaps, [](uint32_t overlap) { return std::string(overlapWord(overlap)); });
   ImGui::BeginDisabled(!canRenumber(*model.frame));
-  axisRow("Numbering", axes.numberings, usual.numberings, [](NumberBy order) { return std::string(order == NumberBy::area ? "by area" : "by file"); });
+  axisRow("Numbering", axes.numberings, usual.numberings,
+          [](NumberBy order) { return std::string(order == NumberBy::area ? "by area" : "by file"); });
   ImGui::EndDisabled();
   if (!canRenumber(*model.frame)) whyTooltip("Captures and edited scenes keep their numbering");
   ImGui::Dummy(ImVec2(0.0f, unit(4)));
@@ -148,8 +152,10 @@ void drawProgress(const TuneState& state) {
   ImGui::SetCursorPosY(ImGui::GetCursorPosY() - unit(5));
   textMono(count);
   ImGui::SameLine(0.0f, unit(8));
-  if (!state.running) textDim((state.stopped ? "stopped after " : "in ") + durationText(state.seconds));
-  else if (state.secondsLeft() >= 0.0) textDim(durationText(state.secondsLeft()) + " left");
+  if (!state.running)
+    textDim((state.stopped ? "stopped after " : "in ") + durationText(state.seconds));
+  else if (state.secondsLeft() >= 0.0)
+    textDim(durationText(state.secondsLeft()) + " left");
 }
 
 }  // namespace
@@ -173,7 +179,8 @@ void drawTunerStrip(WindowModel& model, TunerPanel& tuner) {
   if (tuner.state.running || !tuner.state.rows.empty()) {
     drawProgress(tuner.state);
     ImGui::SameLine();
-    if (exportButton("Writes every setting tried as a CSV file", !tuner.state.running && !tuner.state.rows.empty(), "The sweep is running")) {
+    if (exportButton("Writes every setting tried as a CSV file", !tuner.state.running && !tuner.state.rows.empty(),
+                     "The sweep is running")) {
       const TuneResult result{.rows = tuner.state.rows, .recommended = tuner.state.recommended};
       exportCsv(model, "tune", result.rows.size(), [result] { return tuneCsv(result); });
     }
@@ -205,7 +212,8 @@ void drawTablePages(WindowModel& model, TunerPanel& tuner, bool withRecommendati
   TunerPage page = tuner.page;
   if (!withRecommendation && page == TunerPage::recommendation) page = TunerPage::front;
   if (withRecommendation) {
-    pageButtons<TunerPage>(page, {{TunerPage::recommendation, "Recommendation"}, {TunerPage::front, "Front"}, {TunerPage::all, "All runs"}});
+    pageButtons<TunerPage>(page,
+                           {{TunerPage::recommendation, "Recommendation"}, {TunerPage::front, "Front"}, {TunerPage::all, "All runs"}});
   } else {
     pageButtons<TunerPage>(page, {{TunerPage::front, "Front"}, {TunerPage::all, "All runs"}});
     const char* hint = "Click a point or a row to apply it";
@@ -213,8 +221,10 @@ void drawTablePages(WindowModel& model, TunerPanel& tuner, bool withRecommendati
     textDim(hint);
   }
   if (withRecommendation || page != TunerPage::front || tuner.page != TunerPage::recommendation) tuner.page = page;
-  if (page == TunerPage::recommendation) drawTunerRecommendation(model, tuner, ImVec2(0, 0));
-  else drawTunerTable(model, tuner, page == TunerPage::front, ImVec2(0, 0));
+  if (page == TunerPage::recommendation)
+    drawTunerRecommendation(model, tuner, ImVec2(0, 0));
+  else
+    drawTunerTable(model, tuner, page == TunerPage::front, ImVec2(0, 0));
   ImGui::EndChild();
 }
 
@@ -255,12 +265,15 @@ void drawTuner(WindowModel& model) {
   drawTunerStrip(model, tuner);
   if (!tuner.state.fault.empty()) return emptyState(("The sweep failed: " + tuner.state.fault).c_str());
   if (tuner.state.rows.empty())
-    return emptyState(tuner.state.running ? "The first setting is being tried..."
-                                          : "Run a sweep: every setting is built, traced with this frame's rays and compared with the exact hits.");
+    return emptyState(tuner.state.running
+                          ? "The first setting is being tried..."
+                          : "Run a sweep: every setting is built, traced with this frame's rays and compared with the exact hits.");
   const ImVec2 free = ImGui::GetContentRegionAvail();
   tuner.hovered.reset();
-  if (free.y >= unit(380)) drawLarge(model, tuner, free);
-  else drawSmall(model, tuner, free);
+  if (free.y >= unit(380))
+    drawLarge(model, tuner, free);
+  else
+    drawSmall(model, tuner, free);
 }
 
 }  // namespace gridscope

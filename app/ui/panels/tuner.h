@@ -15,12 +15,12 @@ enum class TunerPage { recommendation, front, all };
 // The tuner, kept between display frames.
 struct TunerPanel {
   TuneJob job;
-  TuneState state;                     // a copy of the job's, of this display frame
+  TuneState state;  // a copy of the job's, of this display frame
   TuneAxes axes;
-  std::optional<TuneLimits> limits;    // a person's; not given: the rule's own
+  std::optional<TuneLimits> limits;  // a person's; not given: the rule's own
   TunerPage page = TunerPage::recommendation;
-  bool againstTime = false;            // the one plot, where there is room for one: time instead of memory
-  std::optional<size_t> hovered;       // row under the mouse, in plot or table
+  bool againstTime = false;       // the one plot, where there is room for one: time instead of memory
+  std::optional<size_t> hovered;  // row under the mouse, in plot or table
 
   TuneLimits shownLimits() const { return limits.value_or(usualLimits(state.rows.front())); }
   std::optional<size_t> recommended() const;  // by the rule, or the best within a person's limits
@@ -50,8 +50,8 @@ ImVec4 capacityColour(const TunerPanel& tuner, uint32_t capacity);
 // The row that the frame shown was made with; nothing: the sweep did not try it.
 std::optional<size_t> rowOfFrame(const WindowModel& model, const TunerPanel& tuner);
 
-std::string cellsText(const TuneRow& row);   // "128" along the longest side, or "edge 0.25"
+std::string cellsText(const TuneRow& row);  // "128" along the longest side, or "edge 0.25"
 
-double wrongShare(const TuneRow& row);   // percent of the rays
+double wrongShare(const TuneRow& row);  // percent of the rays
 
 }  // namespace gridscope

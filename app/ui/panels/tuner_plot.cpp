@@ -3,9 +3,9 @@
 #include <cmath>
 #include <set>
 
+#include "app/base/text.h"
 #include "app/ui/panels/plot_frame.h"
 #include "app/ui/panels/tuner.h"
-#include "app/base/text.h"
 #include "app/ui/widgets/widgets.h"
 #include "shaders/shared/views/palette.h"
 
@@ -72,13 +72,16 @@ void drawFront(const PlotFrame& plot, const TunerPanel& tuner, bool againstTime)
 }
 
 // A ring around a point, and its name in a box where there is room.
-void drawCallout(const PlotFrame& plot, const ImVec2& place, const std::string& title, const std::string& text, const ImVec4& colour, bool above) {
+void drawCallout(const PlotFrame& plot, const ImVec2& place, const std::string& title, const std::string& text, const ImVec4& colour,
+                 bool above) {
   ImDrawList* list = ImGui::GetWindowDrawList();
   list->AddCircle(place, unit(7), packed(colour), 20, unit(2));
   if (plot.high().y - plot.low().y < unit(150)) return;
   const float width = std::max(plotTextWidth(title, false), plotTextWidth(text, true)) + unit(14), height = unit(34);
-  const float x = std::clamp(place.x - 0.5f * width, plot.low().x + unit(2), std::max(plot.low().x + unit(2), plot.high().x - width - unit(2)));
-  const float y = above ? std::max(plot.low().y + unit(2), place.y - height - unit(34)) : std::min(plot.high().y - height - unit(2), place.y + unit(34));
+  const float x =
+      std::clamp(place.x - 0.5f * width, plot.low().x + unit(2), std::max(plot.low().x + unit(2), plot.high().x - width - unit(2)));
+  const float y = above ? std::max(plot.low().y + unit(2), place.y - height - unit(34))
+                        : std::min(plot.high().y - height - unit(2), place.y + unit(34));
   list->AddLine(ImVec2(place.x, place.y + (above ? -unit(7) : unit(7))), ImVec2(place.x, above ? y + height : y), packed(colour), 1.0f);
   list->AddRectFilled(ImVec2(x, y), ImVec2(x + width, y + height), packed(uiColour(UiColour::window)));
   list->AddRect(ImVec2(x, y), ImVec2(x + width, y + height), packed(uiColour(UiColour::line)));
@@ -109,7 +112,8 @@ void drawLimit(const PlotFrame& plot, const PlotScale& scale, TunerPanel& tuner,
   ImDrawList* list = ImGui::GetWindowDrawList();
   list->AddRectFilled(ImVec2(x, plot.low().y), plot.high(), packed(ImVec4(0, 0, 0, 0.22f)));
   list->AddLine(ImVec2(x, plot.low().y), ImVec2(x, plot.high().y), packed(uiColour(UiColour::accent)), unit(held ? 3.0f : 2.0f));
-  list->AddRectFilled(ImVec2(x - unit(4), plot.low().y - unit(6)), ImVec2(x + unit(4), plot.low().y + unit(6)), packed(uiColour(UiColour::accent)), unit(2));
+  list->AddRectFilled(ImVec2(x - unit(4), plot.low().y - unit(6)), ImVec2(x + unit(4), plot.low().y + unit(6)),
+                      packed(uiColour(UiColour::accent)), unit(2));
   if (ImGui::IsItemHovered()) whyTooltip("Drag: settings to the right of it are not recommended");
   const std::string text = againstTime ? printed("limit %.1f ms", amount) : "limit " + plotNumber(std::round(amount)) + " MiB";
   const float width = plotTextWidth(text, false);
@@ -127,7 +131,8 @@ void drawCapacities(const TunerPanel& tuner, const ImVec2& rightTop) {
     x -= plotTextWidth(text, true);
     plotText(ImVec2(x, rightTop.y + unit(3)), text, uiColour(UiColour::dim), true);
     x -= unit(12);
-    ImGui::GetWindowDrawList()->AddRectFilled(ImVec2(x, rightTop.y + unit(6)), ImVec2(x + unit(8), rightTop.y + unit(14)), packed(capacityColour(tuner, *capacity)));
+    ImGui::GetWindowDrawList()->AddRectFilled(ImVec2(x, rightTop.y + unit(6)), ImVec2(x + unit(8), rightTop.y + unit(14)),
+                                              packed(capacityColour(tuner, *capacity)));
     x -= unit(8);
   }
   plotText(ImVec2(x - plotTextWidth("capacity", false), rightTop.y + unit(3)), "capacity", uiColour(UiColour::dim), false);
@@ -160,7 +165,9 @@ void drawNow(const WindowModel& model, const TunerPanel& tuner, const PlotFrame&
     const TuneRow& row = tuner.state.rows[*now];
     drawCallout(plot, place(row), now == best ? "Now, recommended" : "Now", shortText(row), uiColour(UiColour::dim), true);
   }
-  if (best && best != now) drawCallout(plot, place(tuner.state.rows[*best]), "Recommended", shortText(tuner.state.rows[*best]), meaningColour(kColourTriangleHit), false);
+  if (best && best != now)
+    drawCallout(plot, place(tuner.state.rows[*best]), "Recommended", shortText(tuner.state.rows[*best]), meaningColour(kColourTriangleHit),
+                false);
 }
 
 }  // namespace
@@ -168,8 +175,14 @@ void drawNow(const WindowModel& model, const TunerPanel& tuner, const PlotFrame&
 void drawTunerPlot(WindowModel& model, TunerPanel& tuner, bool againstTime, const ImVec2& low, const ImVec2& high) {
   const bool tall = high.y - low.y > unit(260), wide = high.x - low.x > unit(380);
   const PlotScale scale = amountScale(tuner, againstTime);
-  PlotLook look{.title = "Wrong rays", .note = tall && wide && !againstTime ? "circle: plane, square: exact" : "", .x = scale, .y = wrongScale(tuner), .yUnit = " %", .gridX = true};
-  look.xTitle = againstTime ? "trace, ms (" + grouped(tuner.state.width) + " \u00d7 " + grouped(tuner.state.height) + " rays, this device)" : "memory of the grid image, MiB";
+  PlotLook look{.title = "Wrong rays",
+                .note = tall && wide && !againstTime ? "circle: plane, square: exact" : "",
+                .x = scale,
+                .y = wrongScale(tuner),
+                .yUnit = " %",
+                .gridX = true};
+  look.xTitle = againstTime ? "trace, ms (" + grouped(tuner.state.width) + " \u00d7 " + grouped(tuner.state.height) + " rays, this device)"
+                            : "memory of the grid image, MiB";
   const PlotFrame plot(look, low, high);
   if (!plot.drawn()) return;
   if (tall && againstTime) drawCapacities(tuner, ImVec2(high.x, low.y));
@@ -180,13 +193,15 @@ void drawTunerPlot(WindowModel& model, TunerPanel& tuner, bool againstTime, cons
   for (size_t index = 0; index < tuner.state.rows.size(); ++index) {
     const TuneRow& row = tuner.state.rows[index];
     if (row.measured())
-      drawPoint(tuner, row, ImVec2(plot.x(amountOf(row, againstTime)), plot.y(wrongShare(row))), std::find(front.begin(), front.end(), index) == front.end());
+      drawPoint(tuner, row, ImVec2(plot.x(amountOf(row, againstTime)), plot.y(wrongShare(row))),
+                std::find(front.begin(), front.end(), index) == front.end());
   }
   drawNow(model, tuner, plot, againstTime);
   if (!under) return;
   tuner.hovered = under;
   const TuneRow& row = tuner.state.rows[*under];
-  ImGui::GetWindowDrawList()->AddCircle(ImVec2(plot.x(amountOf(row, againstTime)), plot.y(wrongShare(row))), unit(5), packed(uiColour(UiColour::text)), 16, unit(1.5f));
+  ImGui::GetWindowDrawList()->AddCircle(ImVec2(plot.x(amountOf(row, againstTime)), plot.y(wrongShare(row))), unit(5),
+                                        packed(uiColour(UiColour::text)), 16, unit(1.5f));
   ImGui::SetTooltip("%s", readOut(row).c_str());
   if (ImGui::IsMouseClicked(0) && !ImGui::IsAnyItemActive()) applyRow(model, row);
 }

@@ -4,10 +4,10 @@
 #include <cmath>
 #include <numeric>
 
+#include "app/base/text.h"
 #include "app/ui/panels/sheet.h"
 #include "app/ui/panels/table_parts.h"
 #include "app/ui/panels/tuner.h"
-#include "app/base/text.h"
 #include "app/ui/widgets/rows.h"
 #include "shaders/shared/views/palette.h"
 
@@ -33,26 +33,34 @@ struct TunerColumn {
   const char* about;
   bool number;
   float weight;
-  int rank;                            // columns of a higher rank go first when the table is narrow
+  int rank;  // columns of a higher rank go first when the table is narrow
   std::string (*text)(const TuneRow& row);
 };
 
 const TunerColumn kColumns[] = {
     {"cells", "Along the longest side", true, 0.7f, 0, [](const TuneRow& row) { return cellsText(row); }},
     {"capacity", "Slots of a cell", true, 0.8f, 0, [](const TuneRow& row) { return std::to_string(row.grid.capacity); }},
-    {"overlap", "Which cells take a triangle", false, 0.8f, 0, [](const TuneRow& row) { return std::string(overlapWord(row.grid.overlap)); }},
-    {"order", "Numbering of the references", false, 0.6f, 1, [](const TuneRow& row) { return std::string(numberingWord(row.grid.numberBy)); }},
-    {"trace", "Back / ahead of a segment, and the gate, in cell edges", false, 1.6f, 2, [](const TuneRow& row) { return traceText(row.trace); }},
+    {"overlap", "Which cells take a triangle", false, 0.8f, 0,
+     [](const TuneRow& row) { return std::string(overlapWord(row.grid.overlap)); }},
+    {"order", "Numbering of the references", false, 0.6f, 1,
+     [](const TuneRow& row) { return std::string(numberingWord(row.grid.numberBy)); }},
+    {"trace", "Back / ahead of a segment, and the gate, in cell edges", false, 1.6f, 2,
+     [](const TuneRow& row) { return traceText(row.trace); }},
     {"MiB", "Memory of the grid image", true, 0.8f, 0, [](const TuneRow& row) { return printed("%.1f", double(row.bytes) / kMiB); }},
-    {"ms", "Trace, median", true, 0.8f, 0, [](const TuneRow& row) { return row.measured() ? printed("%.1f", row.traceMs.median) : "\u2013"; }},
-    {"refused", "References that found no slot", true, 1.0f, 2, [](const TuneRow& row) { return row.measured() ? grouped(row.refused) : "\u2013"; }},
-    {"saturated", "Cells that refused one or more", true, 1.0f, 3, [](const TuneRow& row) { return row.measured() ? grouped(row.saturated) : "\u2013"; }},
-    {"holes", "A surface is there, the ray missed everything", true, 0.8f, 3, [](const TuneRow& row) { return percent(share(row.verdicts[kVerdictHole], row)); }},
+    {"ms", "Trace, median", true, 0.8f, 0,
+     [](const TuneRow& row) { return row.measured() ? printed("%.1f", row.traceMs.median) : "\u2013"; }},
+    {"refused", "References that found no slot", true, 1.0f, 2,
+     [](const TuneRow& row) { return row.measured() ? grouped(row.refused) : "\u2013"; }},
+    {"saturated", "Cells that refused one or more", true, 1.0f, 3,
+     [](const TuneRow& row) { return row.measured() ? grouped(row.saturated) : "\u2013"; }},
+    {"holes", "A surface is there, the ray missed everything", true, 0.8f, 3,
+     [](const TuneRow& row) { return percent(share(row.verdicts[kVerdictHole], row)); }},
     {"voxel wrong", "Voxel hits farther than a cell's diagonal from the true surface", true, 1.2f, 3,
      [](const TuneRow& row) { return percent(share(row.verdicts[kVerdictVoxelWrong], row)); }},
     {"far, near", "Triangle hits behind or before the true surface", true, 1.0f, 3,
      [](const TuneRow& row) { return percent(share(row.verdicts[kVerdictTooFar] + row.verdicts[kVerdictTooNear], row)); }},
-    {"wrong", "Holes, wrong voxel hits, too far and too near", true, 0.8f, 0, [](const TuneRow& row) { return row.measured() ? percent(wrongShare(row)) : "\u2013"; }},
+    {"wrong", "Holes, wrong voxel hits, too far and too near", true, 0.8f, 0,
+     [](const TuneRow& row) { return row.measured() ? percent(wrongShare(row)) : "\u2013"; }},
 };
 
 std::vector<const TunerColumn*> columnsFor(float width) {
@@ -93,7 +101,8 @@ std::vector<size_t> orderedRows(const TunerPanel& tuner, bool frontAlone, const 
   return order;
 }
 
-void drawRow(WindowModel& model, TunerPanel& tuner, size_t index, const std::vector<const TunerColumn*>& columns, const std::optional<size_t>& now) {
+void drawRow(WindowModel& model, TunerPanel& tuner, size_t index, const std::vector<const TunerColumn*>& columns,
+             const std::optional<size_t>& now) {
   const TuneRow& row = tuner.state.rows[index];
   ImGui::TableNextRow(0, unit(20));
   ImGui::TableSetColumnIndex(0);
@@ -106,8 +115,10 @@ void drawRow(WindowModel& model, TunerPanel& tuner, size_t index, const std::vec
   for (size_t column = 0; column < columns.size(); ++column) {
     ImGui::TableSetColumnIndex(static_cast<int>(column) + 1);
     const std::string text = columns[column]->text(row);
-    if (columns[column]->number) rightNumber(text, ink);
-    else smallText(text, ink);
+    if (columns[column]->number)
+      rightNumber(text, ink);
+    else
+      smallText(text, ink);
   }
   ImGui::PopID();
 }
@@ -195,7 +206,8 @@ std::string sentenceOf(const TuneRow& before, const TuneRow& after) {
   if (after.wrong() != before.wrong()) text += " to " + percent(wrongShare(after));
   const double time = traceTimeOf(before) > 0.0 ? 100.0 * (traceTimeOf(after) / traceTimeOf(before) - 1.0) : 0.0;
   const double memory = (memoryOf(after) - memoryOf(before)) / kMiB;
-  text += printed(", traces %.0f %% %s, for %.1f MiB %s.", std::abs(time), time <= 0.0 ? "faster" : "slower", std::abs(memory), memory >= 0.0 ? "more" : "less");
+  text += printed(", traces %.0f %% %s, for %.1f MiB %s.", std::abs(time), time <= 0.0 ? "faster" : "slower", std::abs(memory),
+                  memory >= 0.0 ? "more" : "less");
   return text;
 }
 
@@ -208,7 +220,8 @@ std::pair<SliderRange, SliderRange> measuredRanges(const TunerPanel& tuner) {
     memory.low = std::min(memory.low, mebibytes), memory.high = std::max(memory.high, mebibytes);
     time.low = std::min(time.low, milliseconds), time.high = std::max(time.high, milliseconds);
   }
-  for (SliderRange* range : {&memory, &time}) range->low = std::max(0.9f * range->low, 1e-3f), range->high = std::max(1.1f * range->high, 2.0f * range->low);
+  for (SliderRange* range : {&memory, &time})
+    range->low = std::max(0.9f * range->low, 1e-3f), range->high = std::max(1.1f * range->high, 2.0f * range->low);
   return {memory, time};
 }
 
@@ -227,7 +240,8 @@ void drawLimits(TunerPanel& tuner) {
   changed |= fillSlider("##time", time, timeRange, "%.1f ms");
   ImGui::PopFont();
   if (changed) tuner.limits = TuneLimits{double(memory) * kMiB, double(time)};
-  if (tuner.limits && smallButton("Usual limits", "usual limits", "Twice the memory and 1.25 times the trace time of the frame's own setting"))
+  if (tuner.limits &&
+      smallButton("Usual limits", "usual limits", "Twice the memory and 1.25 times the trace time of the frame's own setting"))
     tuner.limits.reset();
 }
 
@@ -240,7 +254,9 @@ void drawFlags(WindowModel& model, const TuneRow& row) {
   ImGui::PopFont();
   if (smallButton("Apply", "apply", "Shows the frame with this setting; Ctrl+Z goes back")) applyRow(model, row);
   ImGui::SameLine(0.0f, unit(6));
-  if (smallButton("Compare A/B", "compare", "Keeps the frame as it is now as B and shows it with this setting beside it; Space flips in the A/B layout")) compareRow(model, row);
+  if (smallButton("Compare A/B", "compare",
+                  "Keeps the frame as it is now as B and shows it with this setting beside it; Space flips in the A/B layout"))
+    compareRow(model, row);
   ImGui::SameLine(0.0f, unit(6));
   if (smallButton("Copy flags", "copy", "The options of the command line, to paste")) {
     ImGui::SetClipboardText(flags.c_str());
@@ -260,7 +276,8 @@ void drawNoMoreMemory(WindowModel& model, const TunerPanel& tuner) {
     textDim(printed("No other run has fewer wrong rays within %.1f MiB.", memoryOf(first) / kMiB));
   } else {
     const TuneRow& row = tuner.state.rows[*best];
-    textDim(tuneTitle(row) + printed(": %.1f MiB, ", memoryOf(row) / kMiB) + percent(wrongShare(row)) + printed(" wrong, trace %.1f ms.", traceTimeOf(row)));
+    textDim(tuneTitle(row) + printed(": %.1f MiB, ", memoryOf(row) / kMiB) + percent(wrongShare(row)) +
+            printed(" wrong, trace %.1f ms.", traceTimeOf(row)));
     if (smallButton("Show it", "no more memory", "Shows the frame with this setting; Ctrl+Z goes back")) applyRow(model, row);
   }
   ImGui::PopTextWrapPos();
@@ -270,8 +287,8 @@ void drawNoMoreMemory(WindowModel& model, const TunerPanel& tuner) {
 void drawHowMeasured(const TunerPanel& tuner) {
   const TuneRow& first = tuner.state.rows.front();
   ImGui::PushTextWrapPos(0.0f);
-  textDim("Every run traces the same " + grouped(first.rays) + " rays (" + grouped(tuner.state.width) + " \u00d7 " + grouped(tuner.state.height) +
-          ", this frame) and compares them with the exact hits. Times are medians on this device.");
+  textDim("Every run traces the same " + grouped(first.rays) + " rays (" + grouped(tuner.state.width) + " \u00d7 " +
+          grouped(tuner.state.height) + ", this frame) and compares them with the exact hits. Times are medians on this device.");
   ImGui::PopTextWrapPos();
 }
 
@@ -293,8 +310,10 @@ void drawTunerRecommendation(WindowModel& model, TunerPanel& tuner, const ImVec2
     ImGui::PopFont();
     ImGui::PushTextWrapPos(0.0f);
     textDim(tuneTitle(row));
-    if (*best == 0) ImGui::TextUnformatted("The frame's own setting: no run is better within the limits.");
-    else ImGui::TextUnformatted(sentenceOf(first, row).c_str());
+    if (*best == 0)
+      ImGui::TextUnformatted("The frame's own setting: no run is better within the limits.");
+    else
+      ImGui::TextUnformatted(sentenceOf(first, row).c_str());
     ImGui::PopTextWrapPos();
     drawFlags(model, row);
     ImGui::Dummy(ImVec2(0.0f, unit(4)));

@@ -8,14 +8,14 @@
 #include <cctype>
 #include <cstring>
 
-#include "app/frame/camera_moves.h"
-#include "app/model/comparison.h"
-#include "app/frame/arguments.h"
-#include "app/frame/changes.h"
-#include "app/model/flow.h"
-#include "app/frame/ray_stepping.h"
 #include "app/base/text.h"
+#include "app/frame/arguments.h"
+#include "app/frame/camera_moves.h"
+#include "app/frame/changes.h"
+#include "app/frame/ray_stepping.h"
 #include "app/frame/view_save.h"
+#include "app/model/comparison.h"
+#include "app/model/flow.h"
 #include "app/ui/widgets/widgets.h"
 #include "core/base/error.h"
 
@@ -31,7 +31,9 @@ std::string needsUndo(const WindowModel& m) {
   return m.undo.empty() ? "No setting was changed" : "";
 }
 std::string needsSelection(const WindowModel& m) { return selectedBounds(m).empty() ? "Nothing is selected" : ""; }
-std::string needsCompare(const WindowModel& m) { return m.layout == ViewportLayout::compare ? "" : "Only in the A/B layout of the viewport"; }
+std::string needsCompare(const WindowModel& m) {
+  return m.layout == ViewportLayout::compare ? "" : "Only in the A/B layout of the viewport";
+}
 std::string needsComplete(const WindowModel& m) {
   if (!m.frame || !m.frame->hits) return "No frame yet";
   return m.frame->stale ? "The frame is still being traced" : "";
@@ -65,15 +67,19 @@ void openCaptureDialog(WindowModel& m) {
 }
 
 constexpr Action kActions[] = {
-    {"File", "Open", "Ctrl+O", "Opens a scene or a capture; dropping a file on the window does the same.", nullptr, [](WindowModel& m) { m.openDialogOpen = true; }},
+    {"File", "Open", "Ctrl+O", "Opens a scene or a capture; dropping a file on the window does the same.", nullptr,
+     [](WindowModel& m) { m.openDialogOpen = true; }},
     {"File", "Reload scene", "Ctrl+R", "Loads the file again.", nullptr, [](WindowModel& m) { ++m.request.source.loadCount; }},
     {"File", "Capture frame", "F12", "Writes everything of this frame into a .gridcap file.", needsComplete, openCaptureDialog},
-    {"File", "Save picture", "Ctrl+S", "Writes the active view as a PNG file.", needsFrame, [](WindowModel& m) { saveView(m, m.panes[size_t(m.activePane)].view); }},
-    {"File", "Report...", "Ctrl+E", "Makes one page about this frame for a colleague: pictures, verdicts, causes, losses.", whyNoReport, openReportDialog},
+    {"File", "Save picture", "Ctrl+S", "Writes the active view as a PNG file.", needsFrame,
+     [](WindowModel& m) { saveView(m, m.panes[size_t(m.activePane)].view); }},
+    {"File", "Report...", "Ctrl+E", "Makes one page about this frame for a colleague: pictures, verdicts, causes, losses.", whyNoReport,
+     openReportDialog},
     {"File", "Quit", "Ctrl+Q", "Closes the window; splits, theme and bookmarks are kept.", nullptr, [](WindowModel& m) { m.quit = true; }},
 
     {"Edit", "Undo setting", "Ctrl+Z", "Takes back the last change of a setting.", needsUndo, undoSetting},
-    {"Edit", "Search", "Ctrl+F", "Goes to the search box: a pixel, cell, triangle, instance or mesh.", nullptr, [](WindowModel& m) { m.searchWanted = true; }},
+    {"Edit", "Search", "Ctrl+F", "Goes to the search box: a pixel, cell, triangle, instance or mesh.", nullptr,
+     [](WindowModel& m) { m.searchWanted = true; }},
     {"Edit", "Select area", "M", "The next drag in the viewport draws a rectangle that filters the tables; again to leave it.", needsFrame,
      [](WindowModel& m) { m.selectingArea = !m.selectingArea && !m.area, m.area.reset(); }},
     {"Edit", "Selection back", "Alt+Left", "What was selected before.", nullptr, [](WindowModel& m) { m.selection.goBack(); }},
@@ -81,32 +87,38 @@ constexpr Action kActions[] = {
     {"Edit", "Copy command", "Ctrl+Shift+C", "The command line that renders this frame.", needsFrame, copyCommand},
     {"Edit", "Select nothing", "Escape", "Leaves the selection and the area.", nullptr,
      [](WindowModel& m) {
-       if (m.helpOpen || m.openDialogOpen || m.captureDialogOpen || m.reportDialogOpen) return;   // Escape closes those first
+       if (m.helpOpen || m.openDialogOpen || m.captureDialogOpen || m.reportDialogOpen) return;  // Escape closes those first
        m.area.reset(), m.selectingArea = false, m.selection.clear();
      }},
 
-    {"View", "Focus", "F", "The camera goes to what is selected.", needsSelection, [](WindowModel& m) { focusCamera(m.camera, selectedBounds(m)); }},
+    {"View", "Focus", "F", "The camera goes to what is selected.", needsSelection,
+     [](WindowModel& m) { focusCamera(m.camera, selectedBounds(m)); }},
     {"View", "Reset camera", "Ctrl+Home", "The scene's own camera, and the whole frame in the viewport.", needsFrame,
      [](WindowModel& m) { m.camera.pose = m.frame->scene->ownSettings.camera, m.places.fill({}); }},
-    {"View", "Fit range", "R", "The colour range of the active view follows its values again.", nullptr, [](WindowModel& m) { m.panes[size_t(m.activePane)].range.reset(); }},
+    {"View", "Fit range", "R", "The colour range of the active view follows its values again.", nullptr,
+     [](WindowModel& m) { m.panes[size_t(m.activePane)].range.reset(); }},
     {"View", "Fit picture", "Ctrl+0", "The whole frame in the viewport.", nullptr, [](WindowModel& m) { m.places.fill({}); }},
     {"View", "One view", "Ctrl+1", "One view fills the viewport.", nullptr, [](WindowModel& m) { m.layout = ViewportLayout::one; }},
     {"View", "Four views", "Ctrl+4", "Four linked views.", nullptr, [](WindowModel& m) { m.layout = ViewportLayout::four; }},
-    {"View", "Compare", "Ctrl+2", "A beside B: two views, or the kept frame and the live one.", nullptr, [](WindowModel& m) { m.layout = ViewportLayout::compare; }},
+    {"View", "Compare", "Ctrl+2", "A beside B: two views, or the kept frame and the live one.", nullptr,
+     [](WindowModel& m) { m.layout = ViewportLayout::compare; }},
     {"View", "Keep frame as B", "K", "Keeps this frame, to compare later ones with it.", needsFrame,
      [](WindowModel& m) {
        keepFrame(m);
        m.showMessage("This frame is kept as B");
      }},
-    {"View", "Flip A/B", "Space", "Shows B instead of A, and back.", needsCompare, [](WindowModel& m) { m.comparison.flip = !m.comparison.flip; }},
+    {"View", "Flip A/B", "Space", "Shows B instead of A, and back.", needsCompare,
+     [](WindowModel& m) { m.comparison.flip = !m.comparison.flip; }},
     {"View", "Next view", "PageDown", "The next of all views, in the active pane.", nullptr, [](WindowModel& m) { stepView(m, 1); }},
     {"View", "Previous view", "PageUp", "The view before, in the active pane.", nullptr, [](WindowModel& m) { stepView(m, -1); }},
-    {"View", "Next colour map", "Ctrl+M", "Viridis, cividis, magma, grey.", nullptr, [](WindowModel& m) { m.colourMap = (m.colourMap + 1) % kColourMapCount; }},
+    {"View", "Next colour map", "Ctrl+M", "Viridis, cividis, magma, grey.", nullptr,
+     [](WindowModel& m) { m.colourMap = (m.colourMap + 1) % kColourMapCount; }},
 
     {"Frame", "Play", "Ctrl+Space", "Time goes on, a frame at a time.", whyNoTime, [](WindowModel& m) { m.playing = !m.playing; }},
     {"Frame", "Next frame", "Ctrl+Right", "One time step forward.", whyNoTime, [](WindowModel& m) { stepTime(m, 1); }},
     {"Frame", "Previous frame", "Ctrl+Left", "One time step back.", whyNoTime, [](WindowModel& m) { stepTime(m, -1); }},
-    {"Frame", "First frame", "Ctrl+Up", "Back to time 0.", whyNoTime, [](WindowModel& m) {
+    {"Frame", "First frame", "Ctrl+Up", "Back to time 0.", whyNoTime,
+     [](WindowModel& m) {
        if (m.frame->scene->captureFrames > 0) return showCapturedFrame(m, 0);
        m.request.frame = 0, m.request.timeSeconds = 0.0;
      }},
@@ -116,10 +128,14 @@ constexpr Action kActions[] = {
     {"Ray", "First step", "Home", "Where the ray starts.", needsRecord, stepFirst},
     {"Ray", "Last step", "End", "Where it ends.", needsRecord, stepLast},
     {"Ray", "Play steps", "P", "Goes through the steps by itself.", needsRecord, togglePlay},
-    {"Ray", "Next non-empty", "E", "To the next step that starts in a cell with references.", needsRecord, [](WindowModel& m) { stepToNext(m, StepSearch::nonEmpty); }},
-    {"Ray", "Next tested", "T", "To the next step that tested a triangle.", needsRecord, [](WindowModel& m) { stepToNext(m, StepSearch::tested); }},
-    {"Ray", "Next saturated", "S", "To the next saturated cell on the way.", needsRecord, [](WindowModel& m) { stepToNext(m, StepSearch::saturated); }},
-    {"Ray", "Next revisit", "V", "To the next step that starts in the cell visited last.", needsRecord, [](WindowModel& m) { stepToNext(m, StepSearch::revisit); }},
+    {"Ray", "Next non-empty", "E", "To the next step that starts in a cell with references.", needsRecord,
+     [](WindowModel& m) { stepToNext(m, StepSearch::nonEmpty); }},
+    {"Ray", "Next tested", "T", "To the next step that tested a triangle.", needsRecord,
+     [](WindowModel& m) { stepToNext(m, StepSearch::tested); }},
+    {"Ray", "Next saturated", "S", "To the next saturated cell on the way.", needsRecord,
+     [](WindowModel& m) { stepToNext(m, StepSearch::saturated); }},
+    {"Ray", "Next revisit", "V", "To the next step that starts in the cell visited last.", needsRecord,
+     [](WindowModel& m) { stepToNext(m, StepSearch::revisit); }},
     {"Ray", "Voxel hit", "X", "To the step that filled the gap.", needsRecord, [](WindowModel& m) { stepToNext(m, StepSearch::voxelHit); }},
     {"Ray", "Next ray", "]", "In the order of the Rays table.", needsFrame, [](WindowModel& m) { nextRay(m, 1); }},
     {"Ray", "Previous ray", "[", "In the order of the Rays table.", needsFrame, [](WindowModel& m) { nextRay(m, -1); }},
@@ -127,17 +143,26 @@ constexpr Action kActions[] = {
      [](WindowModel& m) { m.showTab(BottomTab::steps), m.selection.selectStep(m.selected().step); }},
 
     {"Cells", "Next hole", "N", "The next ray that misses a surface.", needsFrame, [](WindowModel& m) { jumpTo(m, Jump::nextHole); }},
-    {"Cells", "Next voxel wrong", "W", "The next voxel hit far from the true surface.", needsFrame, [](WindowModel& m) { jumpTo(m, Jump::nextVoxelWrong); }},
-    {"Cells", "Fullest cell", "C", "The saturated cell that wants the most references; again: the next fullest.", needsGrid, goToNextSaturatedCell},
+    {"Cells", "Next voxel wrong", "W", "The next voxel hit far from the true surface.", needsFrame,
+     [](WindowModel& m) { jumpTo(m, Jump::nextVoxelWrong); }},
+    {"Cells", "Fullest cell", "C", "The saturated cell that wants the most references; again: the next fullest.", needsGrid,
+     goToNextSaturatedCell},
 
-    {"Cells", "Cell boxes", "Alt+B", "Boxes of the cells whose tried references are in the range.", nullptr, [](WindowModel& m) { flip(m.overlays.cellBoxes); }},
-    {"Cells", "Saturated cells", "Alt+S", "Boxes of the cells that refused something.", nullptr, [](WindowModel& m) { flip(m.overlays.saturatedBoxes); }},
-    {"Ray", "Ray segments", "Alt+R", "The selected ray over the picture, coloured by what happened in each segment.", nullptr, [](WindowModel& m) { flip(m.overlays.raySegments); }},
-    {"Ray", "Visited cells", "Alt+V", "Boxes of the cells that the ray visited.", nullptr, [](WindowModel& m) { flip(m.overlays.visitedCells); }},
-    {"Ray", "Tested triangles", "Alt+T", "The triangles that the step tested, over the picture.", nullptr, [](WindowModel& m) { flip(m.overlays.testedTriangles); }},
+    {"Cells", "Cell boxes", "Alt+B", "Boxes of the cells whose tried references are in the range.", nullptr,
+     [](WindowModel& m) { flip(m.overlays.cellBoxes); }},
+    {"Cells", "Saturated cells", "Alt+S", "Boxes of the cells that refused something.", nullptr,
+     [](WindowModel& m) { flip(m.overlays.saturatedBoxes); }},
+    {"Ray", "Ray segments", "Alt+R", "The selected ray over the picture, coloured by what happened in each segment.", nullptr,
+     [](WindowModel& m) { flip(m.overlays.raySegments); }},
+    {"Ray", "Visited cells", "Alt+V", "Boxes of the cells that the ray visited.", nullptr,
+     [](WindowModel& m) { flip(m.overlays.visitedCells); }},
+    {"Ray", "Tested triangles", "Alt+T", "The triangles that the step tested, over the picture.", nullptr,
+     [](WindowModel& m) { flip(m.overlays.testedTriangles); }},
     {"Ray", "Lens", "Alt+L", "A closer look at the step's cell, over the picture.", nullptr, [](WindowModel& m) { flip(m.overlays.lens); }},
-    {"View", "Selection marks", "Alt+M", "What is selected, over the picture.", nullptr, [](WindowModel& m) { flip(m.overlays.selection); }},
-    {"View", "Clip box", "Alt+C", "Overlays only where the box of the left panel leaves them.", nullptr, [](WindowModel& m) { flip(m.overlays.clip); }},
+    {"View", "Selection marks", "Alt+M", "What is selected, over the picture.", nullptr,
+     [](WindowModel& m) { flip(m.overlays.selection); }},
+    {"View", "Clip box", "Alt+C", "Overlays only where the box of the left panel leaves them.", nullptr,
+     [](WindowModel& m) { flip(m.overlays.clip); }},
 
     {"Tools", "Tell the truth", "Ctrl+T", "Compares every ray with the exact answer: verdicts and causes.", needsFrame,
      [](WindowModel& m) { m.request.truth = !m.request.truth; }},
@@ -150,12 +175,16 @@ constexpr Action kActions[] = {
     {"Window", "Ray", "2", "Workspace: one ray, step by step.", nullptr, [](WindowModel& m) { showIn(m, Workspace::ray); }},
     {"Window", "Verdict", "3", "Workspace: verdicts and their causes.", nullptr, [](WindowModel& m) { showIn(m, Workspace::verdict); }},
     {"Window", "Tune", "4", "Workspace: which settings fit.", nullptr, [](WindowModel& m) { showIn(m, Workspace::tune); }},
-    {"Window", "Ray steps tab", "Alt+1", "Below: the selected ray, step by step.", nullptr, [](WindowModel& m) { m.showTab(BottomTab::steps); }},
+    {"Window", "Ray steps tab", "Alt+1", "Below: the selected ray, step by step.", nullptr,
+     [](WindowModel& m) { m.showTab(BottomTab::steps); }},
     {"Window", "Cells tab", "Alt+2", "Below: the table of cells.", nullptr, [](WindowModel& m) { m.showTab(BottomTab::cells); }},
-    {"Window", "Instances tab", "Alt+3", "Below: the table of instances.", nullptr, [](WindowModel& m) { m.showTab(BottomTab::instances); }},
-    {"Window", "Triangles tab", "Alt+4", "Below: the table of triangles.", nullptr, [](WindowModel& m) { m.showTab(BottomTab::triangles); }},
+    {"Window", "Instances tab", "Alt+3", "Below: the table of instances.", nullptr,
+     [](WindowModel& m) { m.showTab(BottomTab::instances); }},
+    {"Window", "Triangles tab", "Alt+4", "Below: the table of triangles.", nullptr,
+     [](WindowModel& m) { m.showTab(BottomTab::triangles); }},
     {"Window", "Rays tab", "Alt+5", "Below: the table of rays.", nullptr, [](WindowModel& m) { m.showTab(BottomTab::rays); }},
-    {"Window", "Causes tab", "Alt+6", "Below: why rays differ, and which meshes cost the most.", nullptr, [](WindowModel& m) { m.showTab(BottomTab::causes); }},
+    {"Window", "Causes tab", "Alt+6", "Below: why rays differ, and which meshes cost the most.", nullptr,
+     [](WindowModel& m) { m.showTab(BottomTab::causes); }},
     {"Window", "Plots tab", "Alt+7", "Below: histograms and stage times.", nullptr, [](WindowModel& m) { m.showTab(BottomTab::plots); }},
     {"Window", "Tune tab", "Alt+8", "Below: the sweep over settings.", nullptr, [](WindowModel& m) { m.showTab(BottomTab::tune); }},
     {"Window", "Log tab", "Alt+9", "Below: what happened.", nullptr, [](WindowModel& m) { m.showTab(BottomTab::log); }},
@@ -163,12 +192,15 @@ constexpr Action kActions[] = {
     {"Window", "Previous tab", "Ctrl+Shift+Tab", "The tab to the left, below.", nullptr, [](WindowModel& m) { stepTab(m, -1); }},
     {"Window", "Next row", "Down", "The next row of the table below, and where it leads.", nullptr, [](WindowModel& m) { ++m.rowStep; }},
     {"Window", "Previous row", "Up", "The row before, and where it leads.", nullptr, [](WindowModel& m) { --m.rowStep; }},
-    {"Window", "Walk the controls", "F6", "Arrows, Space and Enter reach every control of a panel; F6 again: the next panel; Escape leaves.", nullptr,
+    {"Window", "Walk the controls", "F6",
+     "Arrows, Space and Enter reach every control of a panel; F6 again: the next panel; Escape leaves.", nullptr,
      [](WindowModel& m) { m.walkWanted = true; }},
-    {"Window", "Light theme", "Ctrl+L", "Dark on light, and back.", nullptr, [](WindowModel& m) { m.theme = m.theme == Theme::dark ? Theme::light : Theme::dark; }},
+    {"Window", "Light theme", "Ctrl+L", "Dark on light, and back.", nullptr,
+     [](WindowModel& m) { m.theme = m.theme == Theme::dark ? Theme::light : Theme::dark; }},
     {"Window", "Larger", "Ctrl+=", "Larger interface.", nullptr, [](WindowModel& m) { m.uiScale = std::min(m.uiScale + 0.25f, 3.0f); }},
     {"Window", "Smaller", "Ctrl+-", "Smaller interface.", nullptr, [](WindowModel& m) { m.uiScale = std::max(m.uiScale - 0.25f, 0.5f); }},
-    {"Window", "Reset layout", "", "Splits and scale as they were at first.", nullptr, [](WindowModel& m) { m.splits = {}, m.uiScale = 1.0f; }},
+    {"Window", "Reset layout", "", "Splits and scale as they were at first.", nullptr,
+     [](WindowModel& m) { m.splits = {}, m.uiScale = 1.0f; }},
 
     {"Help", "All keys", "?", "This list.", nullptr, [](WindowModel& m) { m.helpOpen = !m.helpOpen; }},
 };
@@ -184,9 +216,11 @@ KeyPress pressOf(std::string_view text) {
   press.alt = take("Alt+");
   press.shift = take("Shift+");
   static constexpr std::pair<std::string_view, int> kNames[] = {
-      {"Right", GLFW_KEY_RIGHT}, {"Left", GLFW_KEY_LEFT}, {"Up", GLFW_KEY_UP},         {"Down", GLFW_KEY_DOWN}, {"PageUp", GLFW_KEY_PAGE_UP},
-      {"PageDown", GLFW_KEY_PAGE_DOWN}, {"Tab", GLFW_KEY_TAB}, {"Home", GLFW_KEY_HOME}, {"End", GLFW_KEY_END},
-      {"Space", GLFW_KEY_SPACE}, {"Enter", GLFW_KEY_ENTER}, {"Escape", GLFW_KEY_ESCAPE}, {"F5", GLFW_KEY_F5}, {"F6", GLFW_KEY_F6},   {"F12", GLFW_KEY_F12}};
+      {"Right", GLFW_KEY_RIGHT}, {"Left", GLFW_KEY_LEFT},      {"Up", GLFW_KEY_UP},
+      {"Down", GLFW_KEY_DOWN},   {"PageUp", GLFW_KEY_PAGE_UP}, {"PageDown", GLFW_KEY_PAGE_DOWN},
+      {"Tab", GLFW_KEY_TAB},     {"Home", GLFW_KEY_HOME},      {"End", GLFW_KEY_END},
+      {"Space", GLFW_KEY_SPACE}, {"Enter", GLFW_KEY_ENTER},    {"Escape", GLFW_KEY_ESCAPE},
+      {"F5", GLFW_KEY_F5},       {"F6", GLFW_KEY_F6},          {"F12", GLFW_KEY_F12}};
   for (const auto& [name, code] : kNames)
     if (text == name) press.key = code;
   if (press.key == 0 && text.size() == 1) press.key = text[0];
@@ -219,8 +253,10 @@ void runKey(WindowModel& model, const KeyPress& pressed) {
     // Signs are typed with Shift on some keyboards; elsewhere it tells two actions apart.
     if (pressed.control && (press.key == GLFW_KEY_TAB || std::isalpha(press.key)) && press.shift != pressed.shift) continue;
     const std::string why = whyNot(model, one);
-    if (why.empty()) one.run(model);
-    else model.showMessage(std::string(one.name) + ": " + why);
+    if (why.empty())
+      one.run(model);
+    else
+      model.showMessage(std::string(one.name) + ": " + why);
     return;
   }
 }

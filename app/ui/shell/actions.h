@@ -5,22 +5,22 @@
 #include <span>
 #include <string>
 
-#include "app/ui/shell/input.h"
 #include "app/model/window_model.h"
+#include "app/ui/shell/input.h"
 
 namespace gridscope {
 
 struct Action {
-  const char* menu;                                    // "File": where it stands
-  const char* name;                                    // "Capture frame"
-  const char* key;                                     // "Ctrl+Right", "N"; empty: none
-  const char* about;                                   // one sentence
-  std::string (*whyNot)(const WindowModel& model);     // why it can't be done now; empty: it can. nullptr: always
+  const char* menu;                                 // "File": where it stands
+  const char* name;                                 // "Capture frame"
+  const char* key;                                  // "Ctrl+Right", "N"; empty: none
+  const char* about;                                // one sentence
+  std::string (*whyNot)(const WindowModel& model);  // why it can't be done now; empty: it can. nullptr: always
   void (*run)(WindowModel& model);
 };
 
 std::span<const Action> allActions();
-const Action& action(const char* name);                // by name; our own mistake when there is none
+const Action& action(const char* name);  // by name; our own mistake when there is none
 
 // Runs the action of a key, unless that key belongs to what is being typed or to the flying camera.
 void runKey(WindowModel& model, const KeyPress& key);

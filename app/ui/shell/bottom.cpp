@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <iterator>
 
-#include "app/ui/panels/table_parts.h"
+#include "app/base/text.h"
 #include "app/frame/ray_stepping.h"
 #include "app/frame/table_exports.h"
-#include "app/base/text.h"
+#include "app/ui/panels/table_parts.h"
 #include "app/ui/shell/actions.h"
 #include "app/ui/viewport/panels.h"
 #include "app/ui/viewport/stale.h"
@@ -21,13 +21,19 @@ struct Tab {
   BottomTab tab;
   const char* name;
   void (*draw)(WindowModel&);
-  bool StaleValues::* stale = nullptr;   // when what it shows is of a request before
+  bool StaleValues::*stale = nullptr;  // when what it shows is of a request before
 };
 
 constexpr Tab kTabs[] = {
-    {BottomTab::steps, "Ray steps", drawRaySteps, &StaleValues::steps},       {BottomTab::cells, "Cells", drawCellsTable, &StaleValues::grid}, {BottomTab::instances, "Instances", drawInstancesTable, &StaleValues::grid},
-    {BottomTab::triangles, "Triangles", drawTrianglesTable, &StaleValues::grid}, {BottomTab::rays, "Rays", drawRaysTable, &StaleValues::rays},   {BottomTab::causes, "Causes", drawCauses, &StaleValues::rays},
-    {BottomTab::plots, "Plots", drawPlots},              {BottomTab::tune, "Tune", drawTuner},        {BottomTab::log, "Log", drawLog},
+    {BottomTab::steps, "Ray steps", drawRaySteps, &StaleValues::steps},
+    {BottomTab::cells, "Cells", drawCellsTable, &StaleValues::grid},
+    {BottomTab::instances, "Instances", drawInstancesTable, &StaleValues::grid},
+    {BottomTab::triangles, "Triangles", drawTrianglesTable, &StaleValues::grid},
+    {BottomTab::rays, "Rays", drawRaysTable, &StaleValues::rays},
+    {BottomTab::causes, "Causes", drawCauses, &StaleValues::rays},
+    {BottomTab::plots, "Plots", drawPlots},
+    {BottomTab::tune, "Tune", drawTuner},
+    {BottomTab::log, "Log", drawLog},
 };
 
 // Tabs with a bar of the accent colour over the chosen one.
@@ -67,7 +73,8 @@ void drawTabBar(WindowModel& model) {
   if (ray && x + exportWidth + unit(8) < low.x + ImGui::GetWindowWidth()) {
     ImGui::SetCursorScreenPos({low.x + ImGui::GetWindowWidth() - exportWidth - unit(8), low.y + unit(4)});
     const bool has = !ray->record.steps.empty();
-    if (smallButton("Export CSV", "csv", "Writes the steps of this ray as a CSV file, in the folder where the program was started", has, "The ray has no steps")) {
+    if (smallButton("Export CSV", "csv", "Writes the steps of this ray as a CSV file, in the folder where the program was started", has,
+                    "The ray has no steps")) {
       const uint32_t width = model.frame->request.settings->width;
       exportCsv(model, printed("steps_%u_%u", ray->pixel % width, ray->pixel / width), stepRows(*model.frame, *ray));
     }
@@ -84,7 +91,8 @@ void drawBottomTabs(WindowModel& model) {
     if (tab.tab != model.bottomTab) continue;
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(unit(10), unit(6)));
     if (ImGui::BeginChild(tab.name, {0, 0}, false, ImGuiWindowFlags_AlwaysUseWindowPadding)) {
-      if (tab.tab == BottomTab::tune && model.workspace == Workspace::tune) emptyState("The tuner fills the viewport in this workspace.");
+      if (tab.tab == BottomTab::tune && model.workspace == Workspace::tune)
+        emptyState("The tuner fills the viewport in this workspace.");
       else {
         const StaleDim dim(tab.stale && model.stale.*tab.stale);
         tab.draw(model);

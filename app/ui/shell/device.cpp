@@ -46,7 +46,8 @@ void WindowVulkan::loadDevice(VkDevice device) {
 }
 
 WindowDevice::WindowDevice(GLFWwindow* window, bool validation) {
-  if (!glfwVulkanSupported()) throw Error("the window needs a Vulkan driver that can show pictures; 'gridscope info' lists the devices", kExitDevice);
+  if (!glfwVulkanSupported())
+    throw Error("the window needs a Vulkan driver that can show pictures; 'gridscope info' lists the devices", kExitDevice);
   createInstance(validation);
   VK_CHECK(glfwCreateWindowSurface(instance_, window, nullptr, &surface_));
   chooseDevice();
@@ -115,8 +116,8 @@ void WindowDevice::createInstance(bool validation) {
   checkVulkan(result, "vkCreateInstance");
   vulkan_.loadInstance(instance_);
   if (!validation) return;
-  auto createMessenger = reinterpret_cast<PFN_vkCreateDebugUtilsMessengerEXT>(
-      vulkan_.GetInstanceProcAddr(instance_, "vkCreateDebugUtilsMessengerEXT"));
+  auto createMessenger =
+      reinterpret_cast<PFN_vkCreateDebugUtilsMessengerEXT>(vulkan_.GetInstanceProcAddr(instance_, "vkCreateDebugUtilsMessengerEXT"));
   messenger = messengerInfo(validationMessages_);
   VK_CHECK(createMessenger(instance_, &messenger, nullptr, &messenger_));
 }

@@ -52,8 +52,8 @@ void drawOpen(WindowModel& model) {
   if (!beginDialog("Open a scene or a capture", model.openDialogOpen, 560)) return;
   ImGui::SetNextItemWidth(-1);
   if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
-  const bool entered = ImGui::InputTextWithHint("##path", "Path of a .glb, .gltf or .gridcap file, or a built-in scene's name", &model.openPath,
-                                                ImGuiInputTextFlags_EnterReturnsTrue);
+  const bool entered = ImGui::InputTextWithHint("##path", "Path of a .glb, .gltf or .gridcap file, or a built-in scene's name",
+                                                &model.openPath, ImGuiInputTextFlags_EnterReturnsTrue);
   for (const std::string& file : model.recentFiles)
     if (ImGui::Selectable(file.c_str())) model.openPath = file;
   if (entered || ImGui::Button("Open", {unit(90), unit(24)})) {
@@ -73,11 +73,15 @@ void drawCapture(WindowModel& model) {
   ImGui::SetNextItemWidth(-1);
   entered |= ImGui::InputText("##note", &model.captureNote, ImGuiInputTextFlags_EnterReturnsTrue);
   const bool named = !model.captureName.empty();
-  const std::filesystem::path wanted = std::filesystem::absolute(model.captureName + ".gridcap"), file = named ? model.files.wouldClaim(wanted) : wanted;
+  const std::filesystem::path wanted = std::filesystem::absolute(model.captureName + ".gridcap"),
+                              file = named ? model.files.wouldClaim(wanted) : wanted;
   ImGui::PushTextWrapPos(0.0f);
-  if (!named) textDim("Give it a name");
-  else if (file == wanted) textDim("Writes " + file.string());
-  else textDim(wanted.filename().string() + " is there already: writes " + file.string());
+  if (!named)
+    textDim("Give it a name");
+  else if (file == wanted)
+    textDim("Writes " + file.string());
+  else
+    textDim(wanted.filename().string() + " is there already: writes " + file.string());
   ImGui::PopTextWrapPos();
   ImGui::BeginDisabled(!named);
   if ((entered && named) || ImGui::Button("Capture", {unit(90), unit(24)})) {
@@ -104,9 +108,11 @@ void drawReport(WindowModel& model) {
   textDim("Name");
   ImGui::SetNextItemWidth(-1);
   if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
-  const bool entered = ImGui::InputText("##name", &model.reportName, ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
+  const bool entered =
+      ImGui::InputText("##name", &model.reportName, ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
   const bool named = !model.reportName.empty();
-  const std::filesystem::path wanted = std::filesystem::absolute(model.reportName + ".html"), file = named ? model.files.wouldClaim(wanted) : wanted;
+  const std::filesystem::path wanted = std::filesystem::absolute(model.reportName + ".html"),
+                              file = named ? model.files.wouldClaim(wanted) : wanted;
   ImGui::PushTextWrapPos(0.0f);
   textDim(named ? "Writes " + file.string() : std::string("Give it a name"));
   ImGui::PopTextWrapPos();
@@ -132,7 +138,8 @@ void drawReport(WindowModel& model) {
 
 void drawHelp(WindowModel& model) {
   if (!beginDialog("All keys", model.helpOpen, 1060)) return;
-  static constexpr const char* kColumns[4][4] = {{"File", "Edit", "Frame", nullptr}, {"View", "Cells", nullptr}, {"Ray", "Tools", "Help", nullptr}, {"Window", nullptr}};
+  static constexpr const char* kColumns[4][4] = {
+      {"File", "Edit", "Frame", nullptr}, {"View", "Cells", nullptr}, {"Ray", "Tools", "Help", nullptr}, {"Window", nullptr}};
   ImGui::Columns(4, nullptr, false);
   for (const auto& column : kColumns) {
     for (const char* const* menu = column; *menu; ++menu) drawMenuKeys(*menu);
@@ -142,8 +149,10 @@ void drawHelp(WindowModel& model) {
   ImGui::Separator();
   ImGui::PushStyleColor(ImGuiCol_Text, uiColour(UiColour::dim));
   ImGui::TextWrapped(
-      "In the viewport: click a pixel to record its ray; with Alt: select the cell there. Wheel: zoom into pixels; drag: move the zoomed picture. Middle button, or Alt and drag: orbit; with "
-      "Shift: move aside; Alt and wheel: nearer. Right button: look around, and fly with W A S D Q E (Shift: faster, wheel or + and -: speed). Drop a scene or a capture on "
+      "In the viewport: click a pixel to record its ray; with Alt: select the cell there. Wheel: zoom into pixels; drag: move the zoomed "
+      "picture. Middle button, or Alt and drag: orbit; with "
+      "Shift: move aside; Alt and wheel: nearer. Right button: look around, and fly with W A S D Q E (Shift: faster, wheel or + and -: "
+      "speed). Drop a scene or a capture on "
       "the window to open it. Double click a splitter to bring it back.");
   ImGui::PopStyleColor();
   ImGui::End();

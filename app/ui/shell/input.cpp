@@ -29,15 +29,21 @@ int layoutKey(int key, int scancode) {
 WindowInput::WindowInput(GLFWwindow* window) : window_(window) {
   glfwSetWindowUserPointer(window, this);
   glfwSetKeyCallback(window, [](GLFWwindow* w, int key, int scancode, int action, int modifiers) {
-    inputOf(w).push({.kind = Event::key, .code = layoutKey(key, scancode), .down = action != GLFW_RELEASE, .repeated = action == GLFW_REPEAT,
+    inputOf(w).push({.kind = Event::key,
+                     .code = layoutKey(key, scancode),
+                     .down = action != GLFW_RELEASE,
+                     .repeated = action == GLFW_REPEAT,
                      .modifiers = modifiers});
   });
-  glfwSetCharCallback(window, [](GLFWwindow* w, unsigned character) { inputOf(w).push({.kind = Event::character, .code = int(character)}); });
+  glfwSetCharCallback(window,
+                      [](GLFWwindow* w, unsigned character) { inputOf(w).push({.kind = Event::character, .code = int(character)}); });
   glfwSetMouseButtonCallback(window, [](GLFWwindow* w, int button, int action, int modifiers) {
     inputOf(w).push({.kind = Event::button, .code = button, .down = action == GLFW_PRESS, .modifiers = modifiers});
   });
-  glfwSetScrollCallback(window, [](GLFWwindow* w, double x, double y) { inputOf(w).push({.kind = Event::wheel, .x = float(x), .y = float(y)}); });
-  glfwSetCursorPosCallback(window, [](GLFWwindow* w, double x, double y) { inputOf(w).push({.kind = Event::move, .x = float(x), .y = float(y)}); });
+  glfwSetScrollCallback(window,
+                        [](GLFWwindow* w, double x, double y) { inputOf(w).push({.kind = Event::wheel, .x = float(x), .y = float(y)}); });
+  glfwSetCursorPosCallback(window,
+                           [](GLFWwindow* w, double x, double y) { inputOf(w).push({.kind = Event::move, .x = float(x), .y = float(y)}); });
   glfwSetCursorEnterCallback(window, [](GLFWwindow* w, int entered) {
     if (!entered) inputOf(w).push({.kind = Event::leave});
   });
@@ -50,12 +56,28 @@ WindowInput::WindowInput(GLFWwindow* window) : window_(window) {
   });
 
   ImGuiIO& io = ImGui::GetIO();
-  const std::pair<ImGuiKey, int> keys[] = {
-      {ImGuiKey_Tab, GLFW_KEY_TAB}, {ImGuiKey_LeftArrow, GLFW_KEY_LEFT}, {ImGuiKey_RightArrow, GLFW_KEY_RIGHT}, {ImGuiKey_UpArrow, GLFW_KEY_UP},
-      {ImGuiKey_DownArrow, GLFW_KEY_DOWN}, {ImGuiKey_PageUp, GLFW_KEY_PAGE_UP}, {ImGuiKey_PageDown, GLFW_KEY_PAGE_DOWN}, {ImGuiKey_Home, GLFW_KEY_HOME},
-      {ImGuiKey_End, GLFW_KEY_END}, {ImGuiKey_Insert, GLFW_KEY_INSERT}, {ImGuiKey_Delete, GLFW_KEY_DELETE}, {ImGuiKey_Backspace, GLFW_KEY_BACKSPACE},
-      {ImGuiKey_Space, GLFW_KEY_SPACE}, {ImGuiKey_Enter, GLFW_KEY_ENTER}, {ImGuiKey_Escape, GLFW_KEY_ESCAPE}, {ImGuiKey_KeyPadEnter, GLFW_KEY_KP_ENTER},
-      {ImGuiKey_A, 'A'}, {ImGuiKey_C, 'C'}, {ImGuiKey_V, 'V'}, {ImGuiKey_X, 'X'}, {ImGuiKey_Y, 'Y'}, {ImGuiKey_Z, 'Z'}};
+  const std::pair<ImGuiKey, int> keys[] = {{ImGuiKey_Tab, GLFW_KEY_TAB},
+                                           {ImGuiKey_LeftArrow, GLFW_KEY_LEFT},
+                                           {ImGuiKey_RightArrow, GLFW_KEY_RIGHT},
+                                           {ImGuiKey_UpArrow, GLFW_KEY_UP},
+                                           {ImGuiKey_DownArrow, GLFW_KEY_DOWN},
+                                           {ImGuiKey_PageUp, GLFW_KEY_PAGE_UP},
+                                           {ImGuiKey_PageDown, GLFW_KEY_PAGE_DOWN},
+                                           {ImGuiKey_Home, GLFW_KEY_HOME},
+                                           {ImGuiKey_End, GLFW_KEY_END},
+                                           {ImGuiKey_Insert, GLFW_KEY_INSERT},
+                                           {ImGuiKey_Delete, GLFW_KEY_DELETE},
+                                           {ImGuiKey_Backspace, GLFW_KEY_BACKSPACE},
+                                           {ImGuiKey_Space, GLFW_KEY_SPACE},
+                                           {ImGuiKey_Enter, GLFW_KEY_ENTER},
+                                           {ImGuiKey_Escape, GLFW_KEY_ESCAPE},
+                                           {ImGuiKey_KeyPadEnter, GLFW_KEY_KP_ENTER},
+                                           {ImGuiKey_A, 'A'},
+                                           {ImGuiKey_C, 'C'},
+                                           {ImGuiKey_V, 'V'},
+                                           {ImGuiKey_X, 'X'},
+                                           {ImGuiKey_Y, 'Y'},
+                                           {ImGuiKey_Z, 'Z'}};
   for (const auto& [key, code] : keys) io.KeyMap[key] = code;
   io.BackendFlags |= ImGuiBackendFlags_HasMouseCursors;
   io.ClipboardUserData = window;
@@ -66,8 +88,10 @@ WindowInput::WindowInput(GLFWwindow* window) : window_(window) {
 void WindowInput::push(const Event& event) {
   activity_ = true;
   // Only the last of several moves in a row matters.
-  if (event.kind == Event::move && !events_.empty() && events_.back().kind == Event::move) events_.back() = event;
-  else events_.push_back(event);
+  if (event.kind == Event::move && !events_.empty() && events_.back().kind == Event::move)
+    events_.back() = event;
+  else
+    events_.push_back(event);
 }
 
 bool WindowInput::takeActivity() { return std::exchange(activity_, false); }

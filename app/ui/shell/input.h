@@ -20,13 +20,13 @@ struct KeyPress {
 
 class WindowInput {
  public:
-  explicit WindowInput(GLFWwindow* window);   // installs the callbacks; the window's user pointer is this
+  explicit WindowInput(GLFWwindow* window);  // installs the callbacks; the window's user pointer is this
 
   // Hands ImGui the input of its next frame; returns the keys pressed in it.
   std::vector<KeyPress> feed(float width, float height, double secondsSinceLast);
 
   bool waiting() const { return !events_.empty(); }
-  bool takeActivity();                          // was there any event since the last call?
+  bool takeActivity();  // was there any event since the last call?
   std::vector<std::string> takeDroppedFiles();
 
  private:

@@ -12,7 +12,7 @@ namespace gridscope {
 
 namespace {
 
-constexpr float kMenuHeight = 28, kToolbarHeight = 40, kStatusHeight = 26, kSplitter = 4;   // pixels at UI scale 1
+constexpr float kMenuHeight = 28, kToolbarHeight = 40, kStatusHeight = 26, kSplitter = 4;  // pixels at UI scale 1
 constexpr float kLeastSide = 180, kLeastBottom = 80, kLeastCentreWidth = 320, kLeastCentreHeight = 160;
 
 struct Region {
@@ -26,7 +26,8 @@ struct Regions {
 
 // Sides give way when the window is small; the centre keeps its least size first.
 Regions regionsOf(const Splits& splits, float width, float height) {
-  const float splitter = unit(kSplitter), top = unit(kMenuHeight + kToolbarHeight), statusTop = std::max(height - unit(kStatusHeight), top + 1.0f);
+  const float splitter = unit(kSplitter), top = unit(kMenuHeight + kToolbarHeight),
+              statusTop = std::max(height - unit(kStatusHeight), top + 1.0f);
   const float sides = std::max(width - unit(kLeastCentreWidth) - 2.0f * splitter, 2.0f);
   float left = unit(splits.left), right = unit(splits.right);
   if (left + right > sides) {
@@ -50,13 +51,15 @@ Regions regionsOf(const Splits& splits, float width, float height) {
 
 using DrawPanel = void (*)(WindowModel&);
 
-void drawRegion(const char* name, const Region& region, UiColour colour, ImVec2 padding, ImGuiWindowFlags flags, WindowModel& model, DrawPanel draw) {
+void drawRegion(const char* name, const Region& region, UiColour colour, ImVec2 padding, ImGuiWindowFlags flags, WindowModel& model,
+                DrawPanel draw) {
   ImGui::SetNextWindowPos(region.low);
   ImGui::SetNextWindowSize(region.size());
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, padding);
   ImGui::PushStyleColor(ImGuiCol_WindowBg, uiColour(colour));
-  constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoCollapse |
-                                      ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoNavFocus;
+  constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
+                                      ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings |
+                                      ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoNavFocus;
   const bool open = ImGui::Begin(name, nullptr, kFixed | flags);
   ImGui::PopStyleColor();
   ImGui::PopStyleVar();
@@ -70,8 +73,9 @@ void drawSplitter(const char* name, const Region& region, bool vertical, float& 
   ImGui::SetNextWindowSize(region.size());
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
   ImGui::PushStyleColor(ImGuiCol_WindowBg, uiColour(UiColour::window));
-  ImGui::Begin(name, nullptr, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
-                                  ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoNavFocus);
+  ImGui::Begin(name, nullptr,
+               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                   ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoNavFocus);
   ImGui::InvisibleButton("drag", region.size());
   if (ImGui::IsItemHovered() || ImGui::IsItemActive()) {
     ImGui::SetMouseCursor(vertical ? ImGuiMouseCursor_ResizeEW : ImGuiMouseCursor_ResizeNS);
@@ -96,12 +100,18 @@ void walk(WindowModel& model) {
     model.walked = model.walked % int(std::size(kWalkedRegions)) + 1;
     ImGuiWindow* window = ImGui::FindWindowByName(kWalkedRegions[model.walked - 1]);
     if (window) ImGui::FocusWindow(window), ImGui::NavInitWindow(window, true);
-    model.showMessage(std::string("Keys walk the controls of the ") + (model.walked == 1 ? "left panel" : model.walked == 2 ? "tool bar" : model.walked == 3 ? "right panel" : "bottom") +
+    model.showMessage(std::string("Keys walk the controls of the ") +
+                      (model.walked == 1   ? "left panel"
+                       : model.walked == 2 ? "tool bar"
+                       : model.walked == 3 ? "right panel"
+                                           : "bottom") +
                       "; F6: on, Escape: back to the picture");
   }
   model.walkWanted = false;
-  if (model.walked != 0) io.ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
-  else io.ConfigFlags &= ~ImGuiConfigFlags_NavEnableKeyboard;
+  if (model.walked != 0)
+    io.ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
+  else
+    io.ConfigFlags &= ~ImGuiConfigFlags_NavEnableKeyboard;
 }
 
 // Where the walk stands: controls drawn by hand have no mark of ImGui's.
@@ -112,7 +122,8 @@ void drawWalk(const WindowModel& model) {
   const ImRect place = ImGui::WindowRectRelToAbs(const_cast<ImGuiWindow*>(window), window->NavRectRel[context.NavLayer]);
   ImDrawList* list = ImGui::GetForegroundDrawList();
   list->PushClipRect(window->InnerRect.Min, window->InnerRect.Max);
-  list->AddRect({place.Min.x - unit(1), place.Min.y - unit(1)}, {place.Max.x + unit(1), place.Max.y + unit(1)}, packed(uiColour(UiColour::accent)), unit(3), 0, unit(2));
+  list->AddRect({place.Min.x - unit(1), place.Min.y - unit(1)}, {place.Max.x + unit(1), place.Max.y + unit(1)},
+                packed(uiColour(UiColour::accent)), unit(3), 0, unit(2));
   list->PopClipRect();
 }
 

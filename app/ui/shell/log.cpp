@@ -3,9 +3,9 @@
 
 #include <cstring>
 
-#include "app/model/held_ray.h"
-#include "app/model/flow.h"
 #include "app/base/text.h"
+#include "app/model/flow.h"
+#include "app/model/held_ray.h"
 
 namespace gridscope {
 
@@ -15,13 +15,12 @@ void note(WindowModel& model, std::string text) { model.say(LogLine::Kind::note,
 
 void logScene(WindowModel& model, LoggedState& logged) {
   const FrameSnapshot& frame = *model.frame;
-  if (logged.scene != frame.scene->path || logged.loads != frame.request.source.loadCount)
-    note(model, "Loaded " + frame.scene->name);
+  if (logged.scene != frame.scene->path || logged.loads != frame.request.source.loadCount) note(model, "Loaded " + frame.scene->name);
   logged.scene = frame.scene->path;
   logged.loads = frame.request.source.loadCount;
   const GridTotals& totals = frame.totals;
   if (!totals.occupancyHistogram.empty() && (std::memcmp(&totals.statistics, &logged.totals.statistics, sizeof(GridStatistics)) != 0 ||
-                                            totals.occupancyHistogram.size() != logged.totals.occupancyHistogram.size())) {
+                                             totals.occupancyHistogram.size() != logged.totals.occupancyHistogram.size())) {
     note(model, printed("Grid: stored %s, refused %s, saturated %s", grouped(totals.stored()).c_str(), grouped(totals.refused()).c_str(),
                         grouped(totals.statistics.saturated).c_str()));
     logged.totals = totals;
@@ -38,8 +37,9 @@ void logFrame(WindowModel& model, LoggedState& logged) {
     logged.truths = frame.truths.get();
     const TruthTotals& t = frame.truthTotals;
     if (frame.truths)
-      note(model, printed("Truth: %s rays, %s agree, %s wrong, %s voxel right", grouped(t.rays).c_str(), grouped(t.agreeHit + t.agreeMiss).c_str(),
-                          grouped(t.wrong()).c_str(), grouped(t.verdicts[kVerdictVoxelRight]).c_str()));
+      note(model,
+           printed("Truth: %s rays, %s agree, %s wrong, %s voxel right", grouped(t.rays).c_str(), grouped(t.agreeHit + t.agreeMiss).c_str(),
+                   grouped(t.wrong()).c_str(), grouped(t.verdicts[kVerdictVoxelRight]).c_str()));
   }
   if (frame.proofs.get() != logged.proofs) {
     logged.proofs = frame.proofs.get();
@@ -82,8 +82,8 @@ void logStep(WindowModel& model, LoggedState& logged) {
   logged.stepPixel = ray->pixel;
   logged.step = model.selected().step;
   const StepRecord& step = ray->record.steps[logged.step];
-  note(model, printed("Step %u of %zu: cell %d,%d,%d, %s, %zu tests", logged.step, ray->record.steps.size() - 1, step.cell.x, step.cell.y, step.cell.z,
-                      outcomeWord(step), step.tests.size()));
+  note(model, printed("Step %u of %zu: cell %d,%d,%d, %s, %zu tests", logged.step, ray->record.steps.size() - 1, step.cell.x, step.cell.y,
+                      step.cell.z, outcomeWord(step), step.tests.size()));
 }
 
 void logHeld(WindowModel& model, LoggedState& logged) {

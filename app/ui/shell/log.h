@@ -7,7 +7,7 @@ namespace gridscope {
 
 // What was told last.
 struct LoggedState {
-  std::string scene;                   // path; empty: none yet
+  std::string scene;  // path; empty: none yet
   uint32_t loads = 0;
   uint64_t traceNumber = 0;
   const void* truths = nullptr;

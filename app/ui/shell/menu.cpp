@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <cstring>
 
-#include "app/model/flow.h"
 #include "app/base/text.h"
+#include "app/model/flow.h"
 #include "app/ui/shell/actions.h"
 #include "app/ui/viewport/panels.h"
 #include "app/ui/widgets/widgets.h"
@@ -46,15 +46,17 @@ struct Light {
   uint32_t colour;
   bool fault;
   const char* words;
-  std::string about;                   // when the mouse rests on it
+  std::string about;  // when the mouse rests on it
 };
 
-constexpr float kLightWidth = 12, kLightGap = 14;   // pixels at UI scale 1
+constexpr float kLightWidth = 12, kLightGap = 14;  // pixels at UI scale 1
 
 Light invariantsLight(const WindowModel& model) {
-  if (!model.frame || !model.frame->brokenInvariants) return {kColourEmpty, false, "Invariants not checked yet", "They are checked once the grid is built"};
+  if (!model.frame || !model.frame->brokenInvariants)
+    return {kColourEmpty, false, "Invariants not checked yet", "They are checked once the grid is built"};
   const std::vector<std::string>& broken = *model.frame->brokenInvariants;
-  if (broken.empty()) return {kColourTriangleHit, false, "Invariants hold", "The grid's slots and counts agree with each other and with the scene"};
+  if (broken.empty())
+    return {kColourTriangleHit, false, "Invariants hold", "The grid's slots and counts agree with each other and with the scene"};
   return {kColourHole, true, "An invariant is broken", joined(broken, "\n")};
 }
 
@@ -63,7 +65,9 @@ Light shadersLight(const WindowModel& model) {
   return {kColourHole, true, "Shader fault, see Log", "The last good shaders go on\n" + model.shaderFault};
 }
 
-float widthOf(const Light& light, bool words) { return unit(kLightWidth + kLightGap) + (words ? ImGui::CalcTextSize(light.words).x : 0.0f); }
+float widthOf(const Light& light, bool words) {
+  return unit(kLightWidth + kLightGap) + (words ? ImGui::CalcTextSize(light.words).x : 0.0f);
+}
 
 void drawLight(const Light& light, bool words) {
   const float radius = unit(4);
@@ -71,9 +75,12 @@ void drawLight(const Light& light, bool words) {
   const ImU32 colour = packed(meaningColour(light.colour));
   ImDrawList& list = *ImGui::GetWindowDrawList();
   if (light.fault)
-    list.AddTriangleFilled({middle.x - 1.3f * radius, middle.y + radius}, {middle.x + 1.3f * radius, middle.y + radius}, {middle.x, middle.y - 1.2f * radius}, colour);
-  else list.AddCircleFilled(middle, radius, colour);
-  if (words) list.AddText({low.x + unit(kLightWidth), low.y + ImGui::GetStyle().FramePadding.y}, packed(uiColour(UiColour::text)), light.words);
+    list.AddTriangleFilled({middle.x - 1.3f * radius, middle.y + radius}, {middle.x + 1.3f * radius, middle.y + radius},
+                           {middle.x, middle.y - 1.2f * radius}, colour);
+  else
+    list.AddCircleFilled(middle, radius, colour);
+  if (words)
+    list.AddText({low.x + unit(kLightWidth), low.y + ImGui::GetStyle().FramePadding.y}, packed(uiColour(UiColour::text)), light.words);
   ImGui::Dummy({widthOf(light, words) - unit(kLightGap), ImGui::GetFrameHeight()});
   whyTooltip((std::string(light.words) + "\n" + light.about).c_str());
   ImGui::SameLine(0.0f, unit(kLightGap));
@@ -83,7 +90,7 @@ void drawLight(const Light& light, bool words) {
 struct KeyWord {
   const char* action;
   const char* word;
-  float width;                         // pixels at UI scale 1
+  float width;  // pixels at UI scale 1
 };
 constexpr KeyWord kKeyWords[] = {{"Reload shaders", "reload", 72}, {"All keys", "keys", 52}};
 

@@ -5,8 +5,8 @@
 
 #include <algorithm>
 
-#include "app/model/flow.h"
 #include "app/base/text.h"
+#include "app/model/flow.h"
 #include "app/ui/shell/actions.h"
 #include "app/ui/viewport/panels.h"
 #include "app/ui/widgets/rows.h"
@@ -48,7 +48,7 @@ void drawTeapots(WindowModel& model) {
 }
 
 void takeSize(WindowModel& model, int width, int height) {
-  static constexpr int kMostPixels = 16384;   // a side; what the device can't hold it refuses by name
+  static constexpr int kMostPixels = 16384;  // a side; what the device can't hold it refuses by name
   const auto w = uint32_t(std::clamp(width, 1, kMostPixels)), h = uint32_t(std::clamp(height, 1, kMostPixels));
   const FrameSettings& now = *model.request.settings;
   if (w != now.width || h != now.height) model.changeSettings([&](FrameSettings& settings) { settings.width = w, settings.height = h; });
@@ -61,7 +61,8 @@ void drawSize(WindowModel& model) {
   const FrameSettings& settings = *model.request.settings;
   if (!ImGui::IsAnyItemActive()) width = int(settings.width), height = int(settings.height);
   rowLabel("Frame size", "Pixels of the frame, one ray each");
-  const float arrow = ImGui::GetFrameHeight(), gap = unit(4), each = std::floor(0.5f * (ImGui::GetContentRegionAvail().x - arrow - 2.0f * gap));
+  const float arrow = ImGui::GetFrameHeight(), gap = unit(4),
+              each = std::floor(0.5f * (ImGui::GetContentRegionAvail().x - arrow - 2.0f * gap));
   ImGui::SetNextItemWidth(each);
   if (enteredNumber("##width", width)) takeSize(model, width, height);
   whyTooltip("Width, pixels");
@@ -83,8 +84,10 @@ void drawScene(WindowModel& model) {
   factRow("Triangles", grouped(facts.numbered.triangleCount));
   const auto dynamic = facts.numbered.dynamicInstanceCount();
   factRow("Instances", printed("%u static, %u dynamic", facts.numbered.staticInstanceCount, dynamic));
-  if (facts.captureFrames > 0) factRow("Captured", printed("%u frame%s", facts.captureFrames, facts.captureFrames == 1 ? "" : "s"));
-  else factRow("Animation", facts.duration > 0.0 ? printed("%.2f s", facts.duration) : "none");
+  if (facts.captureFrames > 0)
+    factRow("Captured", printed("%u frame%s", facts.captureFrames, facts.captureFrames == 1 ? "" : "s"));
+  else
+    factRow("Animation", facts.duration > 0.0 ? printed("%.2f s", facts.duration) : "none");
   if (!facts.note.empty()) ImGui::TextWrapped("%s", facts.note.c_str());
   if (facts.captureFrames == 0) drawTeapots(model);
   {
@@ -102,7 +105,8 @@ void drawScene(WindowModel& model) {
     swatch(kColourVoxelHit);
     ImGui::TextWrapped("%s", warning.c_str());
   }
-  if (!model.request.edits.empty() && ImGui::Button(printed("Undo %zu edits of instances", model.request.edits.size()).c_str())) model.request.edits.clear();
+  if (!model.request.edits.empty() && ImGui::Button(printed("Undo %zu edits of instances", model.request.edits.size()).c_str()))
+    model.request.edits.clear();
 }
 
 // --- Grid -------------------------------------------------------------------------------------------------------------------------
@@ -114,7 +118,8 @@ void drawCellSize(WindowModel& model, const GridParameters& shape) {
   // A cell more lies on each side of the bounds.
   const int longest = std::max({shape.cellCount.x, shape.cellCount.y, shape.cellCount.z}) - 2;
   rowLabel("Cells, longest side", byEdge ? "What the cell edge below gives; dragging it sets the number instead" : "");
-  sliderRow(model, "##cells", byEdge ? std::max(longest, 2) : int(grid.cells), {8, 1024, true}, {2, 4096}, [](FrameSettings& s, int v) { s.grid.cells = uint32_t(v), s.grid.cellEdge = 0.0f; });
+  sliderRow(model, "##cells", byEdge ? std::max(longest, 2) : int(grid.cells), {8, 1024, true}, {2, 4096},
+            [](FrameSettings& s, int v) { s.grid.cells = uint32_t(v), s.grid.cellEdge = 0.0f; });
   rowLabel("Cell edge", byEdge ? "World units" : "World units; what the number of cells gives. Dragging it sets the edge instead");
   const float edge = byEdge ? grid.cellEdge : shape.cellEdge;
   numberRow(model, "##edge", edge, 0.005f * edge, {1e-6f, 1e6f}, "%.4g", [](FrameSettings& s, float v) { s.grid.cellEdge = v; });
@@ -124,9 +129,8 @@ void drawCellSize(WindowModel& model, const GridParameters& shape) {
 void drawBounds(WindowModel& model) {
   const GridSettings& grid = model.request.settings->grid;
   rowLabel("Bounds", "What the grid covers; triangles outside are not tried, and counted");
-  choiceRow<bool>(model, "##bounds", grid.bounds.has_value(), {{"Of the scene", false}, {"Typed", true}}, [&](FrameSettings& s, bool typed) {
-    s.grid.bounds = typed ? std::optional(model.frame->scene->bounds) : std::nullopt;
-  });
+  choiceRow<bool>(model, "##bounds", grid.bounds.has_value(), {{"Of the scene", false}, {"Typed", true}},
+                  [&](FrameSettings& s, bool typed) { s.grid.bounds = typed ? std::optional(model.frame->scene->bounds) : std::nullopt; });
   if (!grid.bounds) return;
   static constexpr const char* kNames[2] = {"Low", "High"};
   for (int end = 0; end < 2; ++end) {
@@ -154,11 +158,14 @@ void drawGrid(WindowModel& model) {
     const GridSettings& grid = model.request.settings->grid;
     drawCellSize(model, shape);
     rowLabel("Capacity", "Slots of a cell");
-    sliderRow(model, "##capacity", int(grid.capacity), {1, 512, true}, {1, 4096}, [](FrameSettings& s, int v) { s.grid.capacity = uint32_t(v); });
+    sliderRow(model, "##capacity", int(grid.capacity), {1, 512, true}, {1, 4096},
+              [](FrameSettings& s, int v) { s.grid.capacity = uint32_t(v); });
     rowLabel("Overlap", "The test that lets a cell take a triangle");
-    choiceRow<uint32_t>(model, "##overlap", grid.overlap, {{"Plane (paper)", kOverlapPlane}, {"Exact", kOverlapExact}}, [](FrameSettings& s, uint32_t v) { s.grid.overlap = v; });
+    choiceRow<uint32_t>(model, "##overlap", grid.overlap, {{"Plane (paper)", kOverlapPlane}, {"Exact", kOverlapExact}},
+                        [](FrameSettings& s, uint32_t v) { s.grid.overlap = v; });
     rowLabel("Enlargement", "Of the cell in the overlap test");
-    sliderRow(model, "##enlargement", grid.enlargement, {1.0f, 1.25f}, {0.01f, 10.0f}, "%.3f", [](FrameSettings& s, float v) { s.grid.enlargement = v; });
+    sliderRow(model, "##enlargement", grid.enlargement, {1.0f, 1.25f}, {0.01f, 10.0f}, "%.3f",
+              [](FrameSettings& s, float v) { s.grid.enlargement = v; });
     rowLabel("Insertion", "Sorted: the same grid in every run; first come: the paper's");
     choiceRow<uint32_t>(model, "##insertion", grid.insertion, {{"Sorted", kInsertionSorted}, {"First come (paper)", kInsertionFirstCome}},
                         [](FrameSettings& s, uint32_t v) { s.grid.insertion = v; });
@@ -175,7 +182,8 @@ void drawGrid(WindowModel& model) {
     choiceRow<UpdateMode>(model, "##update", grid.update, {{"All (paper)", UpdateMode::all}, {"Moved", UpdateMode::moved}},
                           [](FrameSettings& s, UpdateMode v) { s.grid.update = v; });
     rowLabel("Stretched axis", "Axis of the image along which a cell's slots lie");
-    choiceRow<Stretch>(model, "##stretch", grid.stretch, {{"Automatic", Stretch::automatic}, {"x", Stretch::x}, {"y", Stretch::y}, {"z", Stretch::z}},
+    choiceRow<Stretch>(model, "##stretch", grid.stretch,
+                       {{"Automatic", Stretch::automatic}, {"x", Stretch::x}, {"y", Stretch::y}, {"z", Stretch::z}},
                        [](FrameSettings& s, Stretch v) { s.grid.stretch = v; });
     drawBounds(model);
   }
@@ -191,7 +199,9 @@ void drawRays(WindowModel& model) {
   static std::string path;
   static bool typing = false;
   if (!typing) path = model.request.source.rays;
-  rowLabel("Rays", "Of the glossy bounce; or a .npy file with rays of your own, origin and direction: type its path and press Enter, or drop it on the window");
+  rowLabel("Rays",
+           "Of the glossy bounce; or a .npy file with rays of your own, origin and direction: type its path and press Enter, or drop it on "
+           "the window");
   const bool entered = ImGui::InputTextWithHint("##rays", "of the bounce", &path, ImGuiInputTextFlags_EnterReturnsTrue);
   typing = ImGui::IsItemActive();
   whyTooltip(path.c_str());
@@ -211,7 +221,8 @@ void drawTrace(WindowModel& model) {
   {
     const Locked locked(trace.traversal == kTraversalDda ? "Means nothing to DDA: it asks every cell that the ray pierces" : "");
     rowLabel("Reach ahead", "How far a segment reaches beyond its end, in cell edges");
-    sliderRow(model, "##ahead", trace.ahead, {0.0f, 4.0f}, {0.0f, 100.0f}, "%.2f cells", [](FrameSettings& s, float v) { s.trace.ahead = v; });
+    sliderRow(model, "##ahead", trace.ahead, {0.0f, 4.0f}, {0.0f, 100.0f}, "%.2f cells",
+              [](FrameSettings& s, float v) { s.trace.ahead = v; });
     rowLabel("Reach back", "How far it reaches back, in cell edges");
     sliderRow(model, "##back", trace.back, {0.0f, 4.0f}, {0.0f, 100.0f}, "%.2f cells", [](FrameSettings& s, float v) { s.trace.back = v; });
   }
@@ -225,7 +236,8 @@ void drawTrace(WindowModel& model) {
   rowLabel("Self-hit offset", "Nearest hit that counts");
   numberRow(model, "##tmin", trace.tMin, 0.0002f, {0.0f, 10.0f}, "%.4f cells", [](FrameSettings& s, float v) { s.trace.tMin = v; });
   rowLabel("Most segments", "0: enough to cross the grid");
-  numberRow(model, "##segments", int(trace.maxSegments), 1.0f, {0, 100000}, trace.maxSegments == 0 ? "enough" : "%d", [](FrameSettings& s, int v) { s.trace.maxSegments = uint32_t(v); });
+  numberRow(model, "##segments", int(trace.maxSegments), 1.0f, {0, 100000}, trace.maxSegments == 0 ? "enough" : "%d",
+            [](FrameSettings& s, int v) { s.trace.maxSegments = uint32_t(v); });
   const bool captured = model.frame->scene->captureFrames > 0, ownRays = !model.request.source.rays.empty();
   {
     const Locked locked(captured ? "A capture has rays of its own" : "");
@@ -233,9 +245,11 @@ void drawTrace(WindowModel& model) {
   }
   const Locked bounce(ownRays ? "The rays come from a file, not from the bounce" : "");
   rowLabel("Roughness", "The most that the bounce gives a material; 1 leaves their own");
-  sliderRow(model, "##roughness", settings.bounce.roughness, {0.0f, 1.0f}, {0.0f, 1.0f}, "%.3f", [](FrameSettings& s, float v) { s.bounce.roughness = v; });
+  sliderRow(model, "##roughness", settings.bounce.roughness, {0.0f, 1.0f}, {0.0f, 1.0f}, "%.3f",
+            [](FrameSettings& s, float v) { s.bounce.roughness = v; });
   rowLabel("Seed", "Of the glossy bounce");
-  numberRow(model, "##seed", int(settings.bounce.seed), 0.2f, {0, 1 << 30}, "%d", [](FrameSettings& s, int v) { s.bounce.seed = uint32_t(v); });
+  numberRow(model, "##seed", int(settings.bounce.seed), 0.2f, {0, 1 << 30}, "%d",
+            [](FrameSettings& s, int v) { s.bounce.seed = uint32_t(v); });
 }
 
 void drawBack(WindowModel& model) {
@@ -247,7 +261,8 @@ void drawBack(WindowModel& model) {
 }  // namespace
 
 void drawSettingsPanel(WindowModel& model) {
-  if (!model.frame || !model.frame->scene || !model.request.settings) return emptyState(model.work ? model.work->what.c_str() : "Starting the device...");
+  if (!model.frame || !model.frame->scene || !model.request.settings)
+    return emptyState(model.work ? model.work->what.c_str() : "Starting the device...");
   drawScene(model);
   drawGrid(model);
   drawTrace(model);

@@ -4,10 +4,10 @@
 
 #include <algorithm>
 
+#include "app/base/text.h"
 #include "app/frame/camera_moves.h"
 #include "app/frame/cell_boxes.h"
 #include "app/ui/panels/range_slider.h"
-#include "app/base/text.h"
 #include "app/ui/shell/actions.h"
 #include "app/ui/viewport/panels.h"
 #include "app/ui/widgets/rows.h"
@@ -38,7 +38,8 @@ void drawBoxRange(WindowModel& model) {
 
 void drawOverlaySwitches(WindowModel& model) {
   Overlays& o = model.overlays;
-  const int on = o.cellBoxes + o.saturatedBoxes + o.raySegments + o.visitedCells + o.testedTriangles + o.dimmed + o.lens + o.selection + o.clip;
+  const int on =
+      o.cellBoxes + o.saturatedBoxes + o.raySegments + o.visitedCells + o.testedTriangles + o.dimmed + o.lens + o.selection + o.clip;
   if (!sectionHeader("Overlays", printed("%d on", on))) return;
   ImGui::Checkbox("Cell boxes", &o.cellBoxes);
   if (o.cellBoxes) {
@@ -88,7 +89,8 @@ void drawCamera(WindowModel& model) {
   fillSlider("##fov", camera.pose.verticalFovDegrees, {5.0f, 150.0f}, "%.1f deg");
   camera.pose.verticalFovDegrees = std::clamp(camera.pose.verticalFovDegrees, 1.0f, 170.0f);
   rowLabel("Speed", "Of flying: hold the right mouse button and W A S D Q E");
-  ImGui::DragFloat("##speed", &camera.speed, 0.01f * camera.speed, 1e-4f, 1e5f, "%.2f /s", ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_Logarithmic);
+  ImGui::DragFloat("##speed", &camera.speed, 0.01f * camera.speed, 1e-4f, 1e5f, "%.2f /s",
+                   ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_Logarithmic);
   ImGui::PopFont();
   rowLabel("Up axis");
   int up = camera.zUp ? 1 : 0;
@@ -112,7 +114,8 @@ void drawBookmarks(WindowModel& model) {
   size_t removed = model.bookmarks.size();
   for (size_t i = 0; i < model.bookmarks.size(); ++i) {
     ImGui::PushID(int(i));
-    if (ImGui::Selectable(model.bookmarks[i].name.c_str(), false, 0, {ImGui::GetContentRegionAvail().x - unit(26), 0})) model.camera.pose = model.bookmarks[i].pose;
+    if (ImGui::Selectable(model.bookmarks[i].name.c_str(), false, 0, {ImGui::GetContentRegionAvail().x - unit(26), 0}))
+      model.camera.pose = model.bookmarks[i].pose;
     ImGui::SameLine();
     if (ImGui::SmallButton("x")) removed = i;
     ImGui::PopID();

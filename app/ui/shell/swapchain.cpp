@@ -59,8 +59,13 @@ void WindowSwapchain::makeRenderPass() {
   subpass.pipelineBindPoint = VK_PIPELINE_BIND_POINT_GRAPHICS;
   subpass.colorAttachmentCount = 1;
   subpass.pColorAttachments = &colour;
-  VkSubpassDependency dependency{VK_SUBPASS_EXTERNAL, 0, VK_PIPELINE_STAGE_COLOR_ATTACHMENT_OUTPUT_BIT,
-                                 VK_PIPELINE_STAGE_COLOR_ATTACHMENT_OUTPUT_BIT, 0, VK_ACCESS_COLOR_ATTACHMENT_WRITE_BIT, 0};
+  VkSubpassDependency dependency{VK_SUBPASS_EXTERNAL,
+                                 0,
+                                 VK_PIPELINE_STAGE_COLOR_ATTACHMENT_OUTPUT_BIT,
+                                 VK_PIPELINE_STAGE_COLOR_ATTACHMENT_OUTPUT_BIT,
+                                 0,
+                                 VK_ACCESS_COLOR_ATTACHMENT_WRITE_BIT,
+                                 0};
   VkRenderPassCreateInfo info{VK_STRUCTURE_TYPE_RENDER_PASS_CREATE_INFO};
   info.attachmentCount = 1;
   info.pAttachments = &attachment;
@@ -157,7 +162,8 @@ std::optional<uint32_t> WindowSwapchain::acquire(VkExtent2D wanted) {
     if (outOfDate_ || extent_.width != wanted.width || extent_.height != wanted.height) makeImages(wanted);
     if (images_.empty()) return std::nullopt;
     uint32_t index = 0;
-    const VkResult result = vk_.AcquireNextImageKHR(device_.device(), swapchain_, UINT64_MAX, flights_[frame_].acquired, VK_NULL_HANDLE, &index);
+    const VkResult result =
+        vk_.AcquireNextImageKHR(device_.device(), swapchain_, UINT64_MAX, flights_[frame_].acquired, VK_NULL_HANDLE, &index);
     if (result == VK_SUCCESS) return index;
     outOfDate_ = true;
     if (result == VK_SUBOPTIMAL_KHR) return index;
@@ -209,8 +215,10 @@ void WindowSwapchain::draw(VkExtent2D wanted, VkClearColorValue clear, const std
   present.pSwapchains = &swapchain_;
   present.pImageIndices = &*index;
   const VkResult result = vk_.QueuePresentKHR(device_.queue(), &present);
-  if (result == VK_SUBOPTIMAL_KHR || result == VK_ERROR_OUT_OF_DATE_KHR) outOfDate_ = true;
-  else checkVulkan(result, "vkQueuePresentKHR");
+  if (result == VK_SUBOPTIMAL_KHR || result == VK_ERROR_OUT_OF_DATE_KHR)
+    outOfDate_ = true;
+  else
+    checkVulkan(result, "vkQueuePresentKHR");
   frame_ = (frame_ + 1) % kFramesInFlight;
 }
 

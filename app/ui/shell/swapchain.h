@@ -21,7 +21,7 @@ class WindowSwapchain {
   VkRenderPass renderPass() const { return renderPass_; }
   uint32_t imageCount() const { return uint32_t(images_.size()); }
   VkExtent2D extent() const { return extent_; }
-  uint32_t frame() const { return frame_; }   // 0 .. kFramesInFlight - 1, of the frame that is recorded next
+  uint32_t frame() const { return frame_; }  // 0 .. kFramesInFlight - 1, of the frame that is recorded next
 
   // Draws one frame: `before` records what must lie outside the render pass, `inside` what it draws. Nothing happens while the window has
   // no area (minimised).

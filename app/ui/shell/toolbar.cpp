@@ -8,10 +8,10 @@
 #include <numeric>
 #include <vector>
 
-#include "app/model/flow.h"
+#include "app/base/text.h"
 #include "app/frame/search.h"
 #include "app/frame/table_rows.h"
-#include "app/base/text.h"
+#include "app/model/flow.h"
 #include "app/ui/shell/actions.h"
 #include "app/ui/viewport/panels.h"
 #include "app/ui/viewport/stale.h"
@@ -68,25 +68,28 @@ void drawScrub(WindowModel& model) {
   if (facts && facts->captureFrames > 0) {
     int frame = int(model.request.frame);
     ImGui::BeginDisabled(facts->captureFrames == 1);
-    if (ImGui::SliderInt("##scrub", &frame, 0, std::max(int(facts->captureFrames) - 1, 1), printed("%%d / %u", facts->captureFrames).c_str(), ImGuiSliderFlags_AlwaysClamp))
+    if (ImGui::SliderInt("##scrub", &frame, 0, std::max(int(facts->captureFrames) - 1, 1),
+                         printed("%%d / %u", facts->captureFrames).c_str(), ImGuiSliderFlags_AlwaysClamp))
       showCapturedFrame(model, uint32_t(frame));
     ImGui::EndDisabled();
     whyTooltip(facts->captureFrames == 1 ? "The capture holds one frame alone" : "Frame of the captured sequence");
   } else {
     float seconds = float(model.request.timeSeconds);
     const float most = facts && facts->duration > 0.0 ? float(facts->duration) : 10.0f;
-    if (ImGui::SliderFloat("##scrub", &seconds, 0.0f, std::max(most, seconds), printed("%u: %%.3f s", model.request.frame).c_str())) setTime(model, double(seconds));
+    if (ImGui::SliderFloat("##scrub", &seconds, 0.0f, std::max(most, seconds), printed("%u: %%.3f s", model.request.frame).c_str()))
+      setTime(model, double(seconds));
     whyTooltip("Frame, and its time in the animations");
   }
   ImGui::SameLine();
-  if (facts && facts->captureFrames > 0) {   // a sequence's times are its own
+  if (facts && facts->captureFrames > 0) {  // a sequence's times are its own
     ImGui::PopStyleVar();
     ImGui::PopFont();
     return;
   }
   float stepMs = float(1000.0 * model.timeStep);
   ImGui::SetNextItemWidth(unit(76));
-  if (ImGui::DragFloat("##step", &stepMs, 0.1f, 0.01f, 10000.0f, "%.2f ms", ImGuiSliderFlags_AlwaysClamp)) model.timeStep = double(stepMs) / 1000.0;
+  if (ImGui::DragFloat("##step", &stepMs, 0.1f, 0.01f, 10000.0f, "%.2f ms", ImGuiSliderFlags_AlwaysClamp))
+    model.timeStep = double(stepMs) / 1000.0;
   ImGui::PopStyleVar();
   ImGui::PopFont();
   whyTooltip("Time step: what one frame moves the animations on");
@@ -119,8 +122,10 @@ void goToTarget(WindowModel& model) {
   const GridParameters& grid = model.frame->parameters.grid;
   if (target->pixel) model.selection.selectPixel(*target->pixel);
   if (target->cell) model.selection.selectCell(*target->cell), model.focusWanted = boundsOfCell(grid, *target->cell);
-  if (target->reference) model.selection.selectTriangle(*target->reference), model.focusWanted = boundsOfTriangle(*model.frame, *target->reference);
-  if (target->instance) model.selection.selectInstance(*target->instance), model.focusWanted = boundsOfInstance(*model.frame, *target->instance);
+  if (target->reference)
+    model.selection.selectTriangle(*target->reference), model.focusWanted = boundsOfTriangle(*model.frame, *target->reference);
+  if (target->instance)
+    model.selection.selectInstance(*target->instance), model.focusWanted = boundsOfInstance(*model.frame, *target->instance);
   model.search.clear();
 }
 
@@ -131,8 +136,10 @@ void drawSearch(WindowModel& model, float right) {
   ImGui::SetNextItemWidth(width);
   if (model.searchWanted) ImGui::SetKeyboardFocusHere();
   model.searchWanted = false;
-  const bool entered = ImGui::InputTextWithHint("##search", "Pixel, cell, triangle, instance, mesh...   Ctrl+F", &model.search, ImGuiInputTextFlags_EnterReturnsTrue);
-  whyTooltip("Filters the tables as it is typed: words, \"cell 72,4,47\", \"refused>5\". Enter goes to the pixel, cell, triangle or instance");
+  const bool entered = ImGui::InputTextWithHint("##search", "Pixel, cell, triangle, instance, mesh...   Ctrl+F", &model.search,
+                                                ImGuiInputTextFlags_EnterReturnsTrue);
+  whyTooltip(
+      "Filters the tables as it is typed: words, \"cell 72,4,47\", \"refused>5\". Enter goes to the pixel, cell, triangle or instance");
   if (entered && model.frame) goToTarget(model);
 }
 
@@ -149,13 +156,14 @@ struct StatusFigure {
   const char* words;
   std::string number;
   int rank = 0;
-  bool saturated = false;              // a hatched square before it
-  bool ofGrid = false;                 // dim while the grid is made again
+  bool saturated = false;  // a hatched square before it
+  bool ofGrid = false;     // dim while the grid is made again
 };
 
 float widthOf(const StatusFigure& figure) {
   ImFont* mono = windowFonts().mono;
-  return ImGui::CalcTextSize(figure.words).x + unit(5 + 12) + mono->CalcTextSizeA(mono->FontSize, FLT_MAX, 0.0f, figure.number.c_str()).x + (figure.saturated ? unit(16) : 0.0f);
+  return ImGui::CalcTextSize(figure.words).x + unit(5 + 12) + mono->CalcTextSizeA(mono->FontSize, FLT_MAX, 0.0f, figure.number.c_str()).x +
+         (figure.saturated ? unit(16) : 0.0f);
 }
 
 void drawFigure(const StatusFigure& figure, bool gridIsStale) {
@@ -179,7 +187,8 @@ std::vector<StatusFigure> statusFigures(const WindowModel& model) {
           {"trace", time(frame.times.trace), 1},
           {"views", time(frame.times.views), 5},
           {"stored", grouped(frame.totals.stored()), 3, false, true},
-          {"refused", grouped(frame.totals.refused()) + " (" + percentOf(frame.totals.refused(), std::max<uint64_t>(frame.tried, 1)) + ")", 0, false, true},
+          {"refused", grouped(frame.totals.refused()) + " (" + percentOf(frame.totals.refused(), std::max<uint64_t>(frame.tried, 1)) + ")",
+           0, false, true},
           {"saturated", grouped(totals.saturated), 0, true, true},
           {"of", grouped(totals.occupied) + " cells", 4, false, true}};
 }
@@ -219,8 +228,12 @@ void drawStatusLine(WindowModel& model) {
 
   std::vector<StatusFigure> figures = statusFigures(model);
   const float free = ImGui::GetWindowWidth() - rightWidth - unit(24 + 14) - ImGui::CalcTextSize(frame.device.c_str()).x;
-  const auto sum = [&] { return std::accumulate(figures.begin(), figures.end(), 0.0f, [](float width, const StatusFigure& figure) { return width + widthOf(figure); }); };
-  for (int rank = 5; rank > 0 && sum() > free; --rank) std::erase_if(figures, [rank](const StatusFigure& figure) { return figure.rank == rank; });
+  const auto sum = [&] {
+    return std::accumulate(figures.begin(), figures.end(), 0.0f,
+                           [](float width, const StatusFigure& figure) { return width + widthOf(figure); });
+  };
+  for (int rank = 5; rank > 0 && sum() > free; --rank)
+    std::erase_if(figures, [rank](const StatusFigure& figure) { return figure.rank == rank; });
 
   swatch(kColourTriangleHit);
   textDim(frame.device);

@@ -2,10 +2,10 @@
 #include "app/ui/shell/window.h"
 
 #define GLFW_INCLUDE_NONE
-#include <vulkan/vulkan.h>
 #include <GLFW/glfw3.h>
 #include <imgui.h>
 #include <imgui_impl_vulkan.h>
+#include <vulkan/vulkan.h>
 
 #include <algorithm>
 #include <chrono>
@@ -14,15 +14,15 @@
 #include <optional>
 #include <utility>
 
-#include "app/worker/worker.h"
-#include "app/model/preferences.h"
 #include "app/model/flow.h"
+#include "app/model/preferences.h"
 #include "app/ui/shell/actions.h"
-#include "app/ui/widgets/images.h"
 #include "app/ui/shell/input.h"
 #include "app/ui/shell/layout.h"
 #include "app/ui/shell/log.h"
+#include "app/ui/widgets/images.h"
 #include "app/ui/widgets/theme.h"
+#include "app/worker/worker.h"
 #include "core/base/error.h"
 
 namespace gridscope {
@@ -31,9 +31,9 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr double kIdleSeconds = 0.5;            // between two looks when nothing happens
-constexpr double kBusySeconds = 1.0 / 30.0;     // between two frames while something moves
-constexpr int kFramesAfterEvent = 3;            // ImGui needs a few frames to settle
+constexpr double kIdleSeconds = 0.5;         // between two looks when nothing happens
+constexpr double kBusySeconds = 1.0 / 30.0;  // between two frames while something moves
+constexpr int kFramesAfterEvent = 3;         // ImGui needs a few frames to settle
 
 double secondsSince(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
@@ -105,7 +105,7 @@ class Interface {
     info.QueueFamily = device.queueFamily();
     info.Queue = device.queue();
     info.DescriptorPool = pool_;
-    info.MinImageCount = info.ImageCount = 3;   // buffers in turn: more than frames in flight
+    info.MinImageCount = info.ImageCount = 3;  // buffers in turn: more than frames in flight
     info.MSAASamples = VK_SAMPLE_COUNT_1_BIT;
     info.CheckVkResultFn = [](VkResult result) { checkVulkan(result, "ImGui's Vulkan backend"); };
     ImGui_ImplVulkan_Init(&info, swapchain.renderPass());
@@ -154,8 +154,9 @@ void showCursor(GLFWwindow* window) {
   static int shown = -2;
   const int wanted = ImGui::GetMouseCursor();
   if (wanted == shown || wanted == ImGuiMouseCursor_None) return;
-  const int shapes[ImGuiMouseCursor_COUNT] = {GLFW_ARROW_CURSOR, GLFW_IBEAM_CURSOR, GLFW_ARROW_CURSOR, GLFW_VRESIZE_CURSOR, GLFW_HRESIZE_CURSOR,
-                                              GLFW_ARROW_CURSOR, GLFW_ARROW_CURSOR, GLFW_HAND_CURSOR, GLFW_ARROW_CURSOR};
+  const int shapes[ImGuiMouseCursor_COUNT] = {GLFW_ARROW_CURSOR,   GLFW_IBEAM_CURSOR,   GLFW_ARROW_CURSOR,
+                                              GLFW_VRESIZE_CURSOR, GLFW_HRESIZE_CURSOR, GLFW_ARROW_CURSOR,
+                                              GLFW_ARROW_CURSOR,   GLFW_HAND_CURSOR,    GLFW_ARROW_CURSOR};
   if (!cursors[wanted]) cursors[wanted] = glfwCreateStandardCursor(shapes[wanted]);
   glfwSetCursor(window, cursors[wanted]);
   shown = wanted;
@@ -165,8 +166,12 @@ void showCursor(GLFWwindow* window) {
 class Window {
  public:
   Window(const Options& start, const WindowOptions& options)
-      : native_(options.width, options.height), device_(native_.handle(), start.validation), swapchain_(device_),
-        images_(device_, swapchain_.renderPass()), input_(native_.handle()), worker_(start, [] { glfwPostEmptyEvent(); }) {
+      : native_(options.width, options.height),
+        device_(native_.handle(), start.validation),
+        swapchain_(device_),
+        images_(device_, swapchain_.renderPass()),
+        input_(native_.handle()),
+        worker_(start, [] { glfwPostEmptyEvent(); }) {
     windowImages() = &images_;
     model_.logToStandardError = options.logToStandardError;
     model_.request.source = sourceOf(start);
@@ -213,20 +218,25 @@ class Window {
   }
 
   bool moving() const {
-    return model_.playing || model_.stepsPlaying || model_.flying || model_.work || model_.files.running() || model_.report.state().running || model_.now < model_.toastUntil || ImGui::IsAnyMouseDown();
+    return model_.playing || model_.stepsPlaying || model_.flying || model_.work || model_.files.running() ||
+           model_.report.state().running || model_.now < model_.toastUntil || ImGui::IsAnyMouseDown();
   }
 
   void waitForEvents() {
-    if (input_.waiting() || settle_ > 0) glfwPollEvents();
-    else glfwWaitEventsTimeout(moving() ? kBusySeconds : kIdleSeconds);
+    if (input_.waiting() || settle_ > 0)
+      glfwPollEvents();
+    else
+      glfwWaitEventsTimeout(moving() ? kBusySeconds : kIdleSeconds);
     if (input_.takeActivity()) settle_ = kFramesAfterEvent;
   }
 
   void takeNews() {
     model_.now = secondsSince(began_);
     for (LogLine& line : worker_.takeLines()) {
-      if (line.shown) model_.announce(line.kind, std::move(line.text));
-      else model_.say(line.kind, std::move(line.text));
+      if (line.shown)
+        model_.announce(line.kind, std::move(line.text));
+      else
+        model_.say(line.kind, std::move(line.text));
       settle_ = std::max(settle_, 1);
     }
     for (FileJobs::News& news : model_.files.takeNews()) {
@@ -246,7 +256,7 @@ class Window {
     if (worked != model_.work.has_value()) settle_ = kFramesAfterEvent;
     std::shared_ptr<const FrameSnapshot> frame = worker_.newest();
     if (frame == model_.frame || !frame) return;
-    if (!frame->scene && !frame->fault.empty()) throw Error(frame->fault);   // the first source can't be loaded
+    if (!frame->scene && !frame->fault.empty()) throw Error(frame->fault);  // the first source can't be loaded
     settle_ = std::max(settle_, 2);
     if (!model_.frame || model_.frame->views != frame->views) ++pictures_;
     takeFrame(model_, std::move(frame));
@@ -263,8 +273,10 @@ class Window {
   bool drawFrame() {
     const VkExtent2D size = native_.size();
     if (size.width == 0 || size.height == 0) return false;
-    if (model_.uiScale != dressedScale_) dress();
-    else if (model_.theme != dressedTheme_) applyTheme(dressedTheme_ = model_.theme, model_.uiScale);
+    if (model_.uiScale != dressedScale_)
+      dress();
+    else if (model_.theme != dressedTheme_)
+      applyTheme(dressedTheme_ = model_.theme, model_.uiScale);
 
     const Clock::time_point start = Clock::now();
     const double sinceLast = std::min(secondsSince(lastFrame_), 0.25);
@@ -283,11 +295,12 @@ class Window {
     showCursor(native_.handle());
 
     const ImVec4 back = uiColour(UiColour::window);
-    swapchain_.draw(size, {{back.x, back.y, back.z, 1.0f}}, [&](VkCommandBuffer commands) { images_.upload(commands, swapchain_.frame()); },
-                    [&](VkCommandBuffer commands) {
-                      images_.beginDrawing(commands, swapchain_.extent());
-                      ImGui_ImplVulkan_RenderDrawData(ImGui::GetDrawData(), commands);
-                    });
+    swapchain_.draw(
+        size, {{back.x, back.y, back.z, 1.0f}}, [&](VkCommandBuffer commands) { images_.upload(commands, swapchain_.frame()); },
+        [&](VkCommandBuffer commands) {
+          images_.beginDrawing(commands, swapchain_.extent());
+          ImGui_ImplVulkan_RenderDrawData(ImGui::GetDrawData(), commands);
+        });
     model_.interfaceMs = 1000.0 * secondsSince(start);
     return true;
   }
@@ -310,7 +323,8 @@ class Window {
     if (frameMs_.empty()) return;
     std::ranges::sort(frameMs_);
     std::fprintf(stderr, "Interface frames: %zu, median %.1f ms, p99 %.1f ms, longest %.1f ms; pictures: %u\n", frameMs_.size(),
-                 double(frameMs_[frameMs_.size() / 2]), double(frameMs_[size_t(double(frameMs_.size() - 1) * 0.99)]), double(frameMs_.back()), pictures_);
+                 double(frameMs_[frameMs_.size() / 2]), double(frameMs_[size_t(double(frameMs_.size() - 1) * 0.99)]),
+                 double(frameMs_.back()), pictures_);
   }
 
   NativeWindow native_;
@@ -328,9 +342,9 @@ class Window {
   Theme dressedTheme_ = Theme::dark;
   Clock::time_point began_ = Clock::now(), lastFrame_ = began_;
   int settle_ = kFramesAfterEvent;
-  std::optional<PreferenceKeeper> preferences_;   // from what was read on
-  std::vector<float> frameMs_;                    // of each frame of the interface, all that lies between two waits for events
-  uint32_t pictures_ = 0;                         // snapshots with other views than the one before
+  std::optional<PreferenceKeeper> preferences_;  // from what was read on
+  std::vector<float> frameMs_;                   // of each frame of the interface, all that lies between two waits for events
+  uint32_t pictures_ = 0;                        // snapshots with other views than the one before
 };
 
 }  // namespace
@@ -344,8 +358,7 @@ std::string whyNoWindow() {
 
 int runWindow(const Options& start, const WindowOptions& options) {
   const std::string why = whyNoWindow();
-  if (!why.empty())
-    throw Error("no window: " + why + "; render with: gridscope render " + start.scene + " --view all", kExitDevice);
+  if (!why.empty()) throw Error("no window: " + why + "; render with: gridscope render " + start.scene + " --view all", kExitDevice);
   glfwSetErrorCallback(onGlfwError);
   uint32_t messages = 0;
   int exitCode = kExitDone;

@@ -8,9 +8,9 @@
 namespace gridscope {
 
 struct WindowOptions {
-  uint32_t width = 1600;               // of the window, pixels
+  uint32_t width = 1600;  // of the window, pixels
   uint32_t height = 900;
-  bool logToStandardError = false;     // every line of the log
+  bool logToStandardError = false;  // every line of the log
 };
 
 // Why no window can be opened here; empty: one can. Cheap enough to ask first.

@@ -4,18 +4,18 @@
 #include <array>
 #include <cmath>
 
-#include "app/model/drag_handle.h"
 #include "app/frame/instance_edits.h"
 #include "app/frame/projection.h"
 #include "app/frame/table_rows.h"
+#include "app/model/drag_handle.h"
 #include "app/ui/widgets/widgets.h"
 
 namespace gridscope {
 
 namespace {
 
-constexpr float kArm = 58.0f, kHandle = 7.0f;            // pixels at UI scale 1
-constexpr float kMostOffset = 1e6f;                      // world units
+constexpr float kArm = 58.0f, kHandle = 7.0f;  // pixels at UI scale 1
+constexpr float kMostOffset = 1e6f;            // world units
 
 // The drag that goes on, as it began.
 struct Drag {
@@ -31,7 +31,8 @@ std::optional<Drag>& currentDrag() {
 }
 
 ImU32 handleColour(DragWay way) {
-  constexpr ImU32 kColours[] = {IM_COL32(224, 122, 95, 255), IM_COL32(129, 178, 80, 255), IM_COL32(96, 148, 224, 255), IM_COL32(255, 255, 255, 255)};
+  constexpr ImU32 kColours[] = {IM_COL32(224, 122, 95, 255), IM_COL32(129, 178, 80, 255), IM_COL32(96, 148, 224, 255),
+                                IM_COL32(255, 255, 255, 255)};
   return kColours[int(way)];
 }
 

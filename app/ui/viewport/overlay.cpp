@@ -5,10 +5,10 @@
 #include <cstring>
 
 #include "app/base/beside.h"
-#include "app/frame/cell_boxes.h"
-#include "app/ui/widgets/step_parts.h"
-#include "app/frame/table_rows.h"
 #include "app/base/text.h"
+#include "app/frame/cell_boxes.h"
+#include "app/frame/table_rows.h"
+#include "app/ui/widgets/step_parts.h"
 #include "app/ui/widgets/widgets.h"
 #include "shaders/shared/views/palette.h"
 
@@ -17,7 +17,7 @@ namespace gridscope {
 namespace {
 
 constexpr size_t kMostBoxes = 3000;
-constexpr uint32_t kColourSaturatedBox = 0xFBC4E4;     // light pink: lines over what is shaded pink
+constexpr uint32_t kColourSaturatedBox = 0xFBC4E4;  // light pink: lines over what is shaded pink
 
 ImU32 packedColour(const vec3& colour, float alpha) {
   const uint32_t bytes = packBytes(colour);
@@ -43,7 +43,8 @@ struct OccupiedCells {
 std::shared_ptr<const OccupiedCells> occupiedOf(const FrameSnapshot& frame) {
   static Beside<std::shared_ptr<const OccupiedCells>> job;
   job.want({frame.grid.get(), frame.cellRays.get()}, [grid = frame.grid, rays = frame.cellRays] {
-    return std::make_shared<const OccupiedCells>(OccupiedCells{grid, occupiedCells(*grid, rays ? std::span<const CellRays>(*rays) : std::span<const CellRays>())});
+    return std::make_shared<const OccupiedCells>(
+        OccupiedCells{grid, occupiedCells(*grid, rays ? std::span<const CellRays>(*rays) : std::span<const CellRays>())});
   });
   return job.value().value_or(nullptr);
 }
@@ -55,14 +56,14 @@ struct BoxLines {
   CameraParameters camera{};
   Overlays overlays;
   uint32_t colourMap = 0;
-  float top = 1.0f;                    // value at the end of the colours
+  float top = 1.0f;  // value at the end of the colours
   std::vector<BoxLine> lines;
   BoxChoice choice;
 };
 
 bool sameBoxes(const Overlays& a, const Overlays& b) {
-  return a.cellBoxes == b.cellBoxes && a.saturatedBoxes == b.saturatedBoxes && a.boxMeasure == b.boxMeasure && a.boxRange == b.boxRange && a.clip == b.clip &&
-         a.clipBox.low == b.clipBox.low && a.clipBox.high == b.clipBox.high;
+  return a.cellBoxes == b.cellBoxes && a.saturatedBoxes == b.saturatedBoxes && a.boxMeasure == b.boxMeasure && a.boxRange == b.boxRange &&
+         a.clip == b.clip && a.clipBox.low == b.clipBox.low && a.clipBox.high == b.clipBox.high;
 }
 
 void addEdge(BoxLines& boxes, const BoxEdge& edge, float farthest, const WindowModel& model) {
@@ -75,7 +76,8 @@ void addEdge(BoxLines& boxes, const BoxEdge& edge, float farthest, const WindowM
   for (const ProjectedLine& piece : projectLine(boxes.camera, gather, edge.line, 0.1f * grid.cellEdge)) {
     if (piece.hidden) continue;
     const float fade = 1.0f - 0.75f * std::clamp(0.5f * (piece.a.depth + piece.b.depth) / farthest, 0.0f, 1.0f);
-    boxes.lines.push_back({piece.a.pixel, piece.b.pixel, packedColour(colour, pink ? std::min(1.0f, fade * 1.2f) : 0.85f * fade), pink ? 1.3f : 1.0f});
+    boxes.lines.push_back(
+        {piece.a.pixel, piece.b.pixel, packedColour(colour, pink ? std::min(1.0f, fade * 1.2f) : 0.85f * fade), pink ? 1.3f : 1.0f});
   }
 }
 
@@ -84,10 +86,12 @@ const BoxLines& boxLines(const WindowModel& model, const CameraParameters& camer
   const FrameSnapshot& frame = *model.frame;
   const std::shared_ptr<const OccupiedCells> occupied = occupiedOf(frame);
   if (!occupied) return boxes;
-  const bool same = boxes.occupied == occupied && boxes.gather == frame.gather && std::memcmp(&boxes.camera, &camera, sizeof(camera)) == 0 &&
-                    sameBoxes(boxes.overlays, model.overlays) && boxes.colourMap == model.colourMap;
+  const bool same = boxes.occupied == occupied && boxes.gather == frame.gather &&
+                    std::memcmp(&boxes.camera, &camera, sizeof(camera)) == 0 && sameBoxes(boxes.overlays, model.overlays) &&
+                    boxes.colourMap == model.colourMap;
   if (same) return boxes;
-  boxes.occupied = occupied, boxes.gather = frame.gather, boxes.camera = camera, boxes.overlays = model.overlays, boxes.colourMap = model.colourMap;
+  boxes.occupied = occupied, boxes.gather = frame.gather, boxes.camera = camera, boxes.overlays = model.overlays,
+  boxes.colourMap = model.colourMap;
   const GridParameters& grid = occupied->grid->parameters;
   const BoxMeasure& measure = boxMeasure(model.overlays);
   boxes.top = boxTop(measure, occupied->cells, grid.capacity);
@@ -104,9 +108,12 @@ const BoxLines& boxLines(const WindowModel& model, const CameraParameters& camer
 void drawBoxNote(const WindowModel& model, const OverlayPainter& painter, const BoxLines& boxes) {
   const BoxMeasure& measure = boxMeasure(model.overlays);
   std::string text;
-  if (model.overlays.cellBoxes) text = measure.ofRays && !model.frame->cellRays ? "boxes: rays are being counted" : std::string("boxes: ") + measure.name + printed(", 0 to %.0f", double(boxes.top));
+  if (model.overlays.cellBoxes)
+    text = measure.ofRays && !model.frame->cellRays ? "boxes: rays are being counted"
+                                                    : std::string("boxes: ") + measure.name + printed(", 0 to %.0f", double(boxes.top));
   if (boxes.choice.wanted > boxes.choice.cells.size())
-    text += (text.empty() ? "boxes: " : "; ") + std::string("the nearest ") + grouped(boxes.choice.cells.size()) + " of " + grouped(boxes.choice.wanted);
+    text += (text.empty() ? "boxes: " : "; ") + std::string("the nearest ") + grouped(boxes.choice.cells.size()) + " of " +
+            grouped(boxes.choice.wanted);
   if (text.empty()) return;
   ImFont* font = windowFonts().sansSmall;
   const float width = font->CalcTextSizeA(font->FontSize, FLT_MAX, 0.0f, text.c_str()).x;
@@ -118,7 +125,8 @@ void drawBoxNote(const WindowModel& model, const OverlayPainter& painter, const 
 void drawBoxes(const WindowModel& model, const OverlayPainter& painter) {
   if (!model.overlays.cellBoxes && !model.overlays.saturatedBoxes) return;
   const BoxLines& boxes = boxLines(model, painter.pane.camera);
-  for (const BoxLine& line : boxes.lines) painter.list->AddLine(painter.pane.toScreen(line.a), painter.pane.toScreen(line.b), line.colour, unit(line.width));
+  for (const BoxLine& line : boxes.lines)
+    painter.list->AddLine(painter.pane.toScreen(line.a), painter.pane.toScreen(line.b), line.colour, unit(line.width));
   drawBoxNote(model, painter, boxes);
 }
 
@@ -140,7 +148,8 @@ void drawSelection(const WindowModel& model, const OverlayPainter& painter) {
     if (const Triangle* triangle = worldTriangle(frame, *selected.reference)) {
       painter.triangle(*triangle, kSelectedStyle);
       const TriangleName name = nameTriangle(frame.scene->numbered, *selected.reference);
-      drawSelectionCallout(model, painter, (triangle->a + triangle->b + triangle->c) / 3.0f, "Triangle " + grouped(name.triangle), meshName(*frame.scene, name.mesh), false);
+      drawSelectionCallout(model, painter, (triangle->a + triangle->b + triangle->c) / 3.0f, "Triangle " + grouped(name.triangle),
+                           meshName(*frame.scene, name.mesh), false);
     }
   if (selected.last == Selected::instance && selected.instance) {
     const Bounds bounds = boundsOfInstance(frame, *selected.instance);

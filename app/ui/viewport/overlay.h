@@ -2,13 +2,13 @@
 #pragma once
 
 #include "app/frame/cell_boxes.h"
-#include "app/ui/widgets/step_parts.h"
 #include "app/ui/viewport/overlay_parts.h"
 #include "app/ui/widgets/picture.h"
+#include "app/ui/widgets/step_parts.h"
 
 namespace gridscope {
 
-inline constexpr float kLeastCallout = 480.0f;   // width of a pane that has room for the ray's legend and callouts, pixels at UI scale 1
+inline constexpr float kLeastCallout = 480.0f;  // width of a pane that has room for the ray's legend and callouts, pixels at UI scale 1
 
 // The selected pixel's ray: cells it visited, segments by outcome, glyphs at its steps, the current step's triangles and callout.
 void drawRayOverlay(const WindowModel& model, const OverlayPainter& painter);
@@ -21,7 +21,8 @@ float shownEnd(const FrameSnapshot& frame, const RecordedRay& ray, uint32_t step
 void drawCallouts(const WindowModel& model, const OverlayPainter& painter, const ShownStep& shown);
 
 // Of what is selected: its name, and a line in the colour of saturated cells where `marked`.
-void drawSelectionCallout(const WindowModel& model, const OverlayPainter& painter, const vec3& at, const std::string& name, const std::string& note, bool marked);
+void drawSelectionCallout(const WindowModel& model, const OverlayPainter& painter, const vec3& at, const std::string& name,
+                          const std::string& note, bool marked);
 
 // Where the lens on the step's cell stands, and what it magnifies; nothing where it is off, or the cell is large in the picture.
 std::optional<PaneRect> lensPlace(const WindowModel& model, const PaneRect& pane);

@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/frame/ray_stepping.h"
 #include "app/base/text.h"
+#include "app/frame/ray_stepping.h"
 #include "app/ui/viewport/overlay.h"
 #include "app/ui/widgets/widgets.h"
 
@@ -11,10 +11,10 @@ namespace gridscope {
 
 namespace {
 
-constexpr float kLensWidth = 264, kLensHeight = 180;     // pixels at UI scale 1
-constexpr float kLeastWidth = 620, kLeastHeight = 380; // of a pane that has room for it
-constexpr float kLargeCell = 90;                       // a cell that is as large in the picture needs no lens
-constexpr float kCellShare = 0.45f;                    // of the lens's height that the cell takes
+constexpr float kLensWidth = 264, kLensHeight = 180;    // pixels at UI scale 1
+constexpr float kLeastWidth = 620, kLeastHeight = 380;  // of a pane that has room for it
+constexpr float kLargeCell = 90;                        // a cell that is as large in the picture needs no lens
+constexpr float kCellShare = 0.45f;                     // of the lens's height that the cell takes
 constexpr float kMostTimes = 20;
 
 struct PixelBox {
@@ -25,7 +25,8 @@ struct PixelBox {
 std::optional<PixelBox> projectedCell(const CameraParameters& camera, const Bounds& bounds) {
   PixelBox box;
   for (int corner = 0; corner < 8; ++corner) {
-    const vec3 at(corner & 1 ? bounds.high.x : bounds.low.x, corner & 2 ? bounds.high.y : bounds.low.y, corner & 4 ? bounds.high.z : bounds.low.z);
+    const vec3 at(corner & 1 ? bounds.high.x : bounds.low.x, corner & 2 ? bounds.high.y : bounds.low.y,
+                  corner & 4 ? bounds.high.z : bounds.low.z);
     const auto point = projectPoint(camera, at);
     if (!point) return std::nullopt;
     box.low = glm::min(box.low, point->pixel), box.high = glm::max(box.high, point->pixel);
@@ -63,9 +64,10 @@ void drawLens(const WindowModel& model, const PaneRect& pane, const PanePicture&
   list.PushClipRect(lens->min, lens->max, true);
   list.AddRectFilled(lens->min, lens->max, IM_COL32(20, 23, 27, 255));
   drawPicture(list, *lens, picture, image);
-  list.AddRectFilled(lens->min, lens->max, IM_COL32(20, 23, 27, 90));   // the ray stands out
+  list.AddRectFilled(lens->min, lens->max, IM_COL32(20, 23, 27, 90));  // the ray stands out
   OverlayPainter painter{.list = &list, .pane = *lens, .bias = 0.12f * model.frame->grid->parameters.cellEdge};
-  if (model.frame->gather && model.frame->gather->size() == size_t(pane.camera.width) * pane.camera.height) painter.gather = *model.frame->gather;
+  if (model.frame->gather && model.frame->gather->size() == size_t(pane.camera.width) * pane.camera.height)
+    painter.gather = *model.frame->gather;
   drawRayInLens(model, painter);
   const std::string words = printed("Lens on the step's cell  %.0fx", double(lens->scale / pane.scale));
   ImFont* font = windowFonts().sansSmall;

@@ -10,9 +10,9 @@ namespace gridscope {
 
 namespace {
 
-constexpr float kDash = 4.0f, kGap = 3.5f;             // pixels at UI scale 1
+constexpr float kDash = 4.0f, kGap = 3.5f;  // pixels at UI scale 1
 constexpr int kMostDashes = 400;
-constexpr float kHiddenAlpha = 0.75f, kHiddenShare = 0.65f;   // of a line's opacity and width where surfaces hide it
+constexpr float kHiddenAlpha = 0.75f, kHiddenShare = 0.65f;  // of a line's opacity and width where surfaces hide it
 
 void strokePiece(ImDrawList* list, ImVec2 a, ImVec2 b, const LineStyle& style, bool hidden) {
   const bool dashed = style.dashed || (hidden && style.hidden == HiddenParts::dashed);
@@ -48,12 +48,16 @@ void dashedLine(ImDrawList* list, ImVec2 a, ImVec2 b, ImU32 colour, float width)
 void OverlayPainter::line(const WorldLine& wanted, const LineStyle& style) const {
   const std::optional<WorldLine> kept = clip ? clipToBounds(*clip, wanted) : std::optional<WorldLine>(wanted);
   if (!kept) return;
-  const std::vector<ProjectedLine> pieces = projectLine(pane.camera, style.hidden == HiddenParts::drawn ? std::span<const GatherPixel>() : gather, *kept, bias);
+  const std::vector<ProjectedLine> pieces =
+      projectLine(pane.camera, style.hidden == HiddenParts::drawn ? std::span<const GatherPixel>() : gather, *kept, bias);
   if (style.halo > 0.0f)
     for (const ProjectedLine& piece : pieces)
-      if (!piece.hidden) list->AddLine(pane.toScreen(piece.a.pixel), pane.toScreen(piece.b.pixel), IM_COL32(0, 0, 0, 150), unit(style.width + 2.0f * style.halo));
+      if (!piece.hidden)
+        list->AddLine(pane.toScreen(piece.a.pixel), pane.toScreen(piece.b.pixel), IM_COL32(0, 0, 0, 150),
+                      unit(style.width + 2.0f * style.halo));
   for (const ProjectedLine& piece : pieces)
-    if (!piece.hidden || style.hidden != HiddenParts::leftOut) strokePiece(list, pane.toScreen(piece.a.pixel), pane.toScreen(piece.b.pixel), style, piece.hidden);
+    if (!piece.hidden || style.hidden != HiddenParts::leftOut)
+      strokePiece(list, pane.toScreen(piece.a.pixel), pane.toScreen(piece.b.pixel), style, piece.hidden);
 }
 
 void OverlayPainter::box(const Bounds& bounds, const LineStyle& style) const {
@@ -73,6 +77,8 @@ std::optional<ImVec2> OverlayPainter::place(const vec3& world) const {
   return pane.toScreen(point->pixel);
 }
 
-bool OverlayPainter::inPane(ImVec2 at) const { return at.x >= pane.min.x && at.y >= pane.min.y && at.x <= pane.max.x && at.y <= pane.max.y; }
+bool OverlayPainter::inPane(ImVec2 at) const {
+  return at.x >= pane.min.x && at.y >= pane.min.y && at.x <= pane.max.x && at.y <= pane.max.y;
+}
 
 }  // namespace gridscope

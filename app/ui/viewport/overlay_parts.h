@@ -14,18 +14,18 @@ enum class HiddenParts { leftOut, dashed, drawn };
 
 struct LineStyle {
   ImU32 colour = 0;
-  float width = 1.0f;                  // pixels at UI scale 1
+  float width = 1.0f;  // pixels at UI scale 1
   HiddenParts hidden = HiddenParts::leftOut;
-  float halo = 0.0f;                   // dark, on both sides, pixels at UI scale 1; 0: none
+  float halo = 0.0f;  // dark, on both sides, pixels at UI scale 1; 0: none
   bool dashed = false;
 };
 
 struct OverlayPainter {
   ImDrawList* list = nullptr;
   const PaneRect& pane;
-  std::span<const GatherPixel> gather; // of the frame; empty: nothing is hidden
-  const Bounds* clip = nullptr;        // null: nothing is cut
-  float bias = 0.0f;                   // how far behind a surface still counts as visible, world units
+  std::span<const GatherPixel> gather;  // of the frame; empty: nothing is hidden
+  const Bounds* clip = nullptr;         // null: nothing is cut
+  float bias = 0.0f;                    // how far behind a surface still counts as visible, world units
 
   void line(const WorldLine& line, const LineStyle& style) const;
   void box(const Bounds& bounds, const LineStyle& style) const;

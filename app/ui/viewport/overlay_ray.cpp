@@ -3,12 +3,12 @@
 #include <cmath>
 #include <set>
 
-#include "app/ui/widgets/step_parts.h"
+#include "app/base/text.h"
 #include "app/frame/ray_stepping.h"
 #include "app/frame/table_rows.h"
-#include "app/base/text.h"
 #include "app/ui/viewport/overlay.h"
 #include "app/ui/viewport/pane_parts.h"
+#include "app/ui/widgets/step_parts.h"
 #include "app/ui/widgets/widgets.h"
 #include "shaders/shared/views/palette.h"
 
@@ -16,8 +16,8 @@ namespace gridscope {
 
 namespace {
 
-constexpr float kLeastBetween = 15.0f;                  // from one step's ring to the next, pixels at UI scale 1
-constexpr size_t kMostTriangles = 400;                 // tested ones that are drawn
+constexpr float kLeastBetween = 15.0f;  // from one step's ring to the next, pixels at UI scale 1
+constexpr size_t kMostTriangles = 400;  // tested ones that are drawn
 
 void drawVisitedCells(const OverlayPainter& painter, const FrameSnapshot& frame, const RecordedRay& ray, uint32_t selected) {
   const GridParameters& grid = frame.grid->parameters;
@@ -29,7 +29,8 @@ void drawVisitedCells(const OverlayPainter& painter, const FrameSnapshot& frame,
     painter.box(cellBounds(grid, at.cell), {.colour = colour, .width = 1.0f});
   }
   if (gridContains(grid, ray.record.steps[selected].cell))
-    painter.box(cellBounds(grid, ray.record.steps[selected].cell), {.colour = IM_COL32_WHITE, .width = 1.8f, .hidden = HiddenParts::dashed, .halo = 1.0f});
+    painter.box(cellBounds(grid, ray.record.steps[selected].cell),
+                {.colour = IM_COL32_WHITE, .width = 1.8f, .hidden = HiddenParts::dashed, .halo = 1.0f});
 }
 
 void drawTriangles(const WindowModel& model, const OverlayPainter& painter, const StepFacts& facts) {
@@ -38,12 +39,15 @@ void drawTriangles(const WindowModel& model, const OverlayPainter& painter, cons
     const Triangle* triangle = worldTriangle(*model.frame, test.test.reference);
     if (!triangle || ++drawn > kMostTriangles) continue;
     const bool hit = test.test.verdict == kTestHit;
-    painter.triangle(*triangle, {.colour = pictureColour(hit ? kColourTriangleHit : kColourTested, hit ? 1.0f : 0.7f), .width = hit ? 2.0f : 1.0f});
+    painter.triangle(*triangle,
+                     {.colour = pictureColour(hit ? kColourTriangleHit : kColourTested, hit ? 1.0f : 0.7f), .width = hit ? 2.0f : 1.0f});
   }
   for (const RefusedFacts& refused : facts.refusedTests) {
     const Triangle* triangle = worldTriangle(*model.frame, refused.test.reference);
     if (!triangle || ++drawn > kMostTriangles) continue;
-    painter.triangle(*triangle, {.colour = pictureColour(kColourSaturated, refused.wouldHit ? 1.0f : 0.6f), .width = refused.wouldHit ? 2.2f : 1.0f, .dashed = !refused.wouldHit});
+    painter.triangle(*triangle, {.colour = pictureColour(kColourSaturated, refused.wouldHit ? 1.0f : 0.6f),
+                                 .width = refused.wouldHit ? 2.2f : 1.0f,
+                                 .dashed = !refused.wouldHit});
   }
 }
 
@@ -51,7 +55,11 @@ void drawSegments(const OverlayPainter& painter, const FrameSnapshot& frame, con
   for (uint32_t step = 0; step < ray.record.steps.size(); ++step) {
     const StepOutcome outcome = stepOutcome(ray.record, step);
     const WorldLine line{rayPoint(ray.ray, ray.record.steps[step].start), rayPoint(ray.ray, shownEnd(frame, ray, step))};
-    painter.line(line, {.colour = pictureColour(stepLook(outcome).colour), .width = 3.2f, .hidden = HiddenParts::dashed, .halo = 1.4f, .dashed = outcome == StepOutcome::revisit});
+    painter.line(line, {.colour = pictureColour(stepLook(outcome).colour),
+                        .width = 3.2f,
+                        .hidden = HiddenParts::dashed,
+                        .halo = 1.4f,
+                        .dashed = outcome == StepOutcome::revisit});
   }
 }
 
@@ -83,7 +91,8 @@ void drawEnds(const OverlayPainter& painter, const RecordedRay& ray) {
   const std::optional<ImVec2> at = painter.place(rayPoint(ray.ray, hit.t));
   if (!at || !painter.inPane(*at)) return;
   const auto diamond = [&](float half, ImU32 colour) {
-    painter.list->AddQuadFilled(ImVec2(at->x, at->y - half), ImVec2(at->x + half, at->y), ImVec2(at->x, at->y + half), ImVec2(at->x - half, at->y), colour);
+    painter.list->AddQuadFilled(ImVec2(at->x, at->y - half), ImVec2(at->x + half, at->y), ImVec2(at->x, at->y + half),
+                                ImVec2(at->x - half, at->y), colour);
   };
   diamond(unit(9), IM_COL32(20, 23, 27, 230));
   diamond(unit(6.5f), pictureColour(hit.kind == kHitVoxel ? kColourVoxelHit : kColourTriangleHit));
@@ -94,7 +103,9 @@ void drawLegend(const OverlayPainter& painter, const RecordedRay& ray) {
   std::set<StepOutcome> outcomes;
   for (uint32_t step = 0; step < ray.record.steps.size(); ++step) outcomes.insert(stepOutcome(ray.record, step));
   ImFont* font = windowFonts().sansSmall;
-  const auto wordWidth = [&](StepOutcome outcome) { return font->CalcTextSizeA(font->FontSize, FLT_MAX, 0.0f, stepLook(outcome).word.data()).x; };
+  const auto wordWidth = [&](StepOutcome outcome) {
+    return font->CalcTextSizeA(font->FontSize, FLT_MAX, 0.0f, stepLook(outcome).word.data()).x;
+  };
   float width = unit(8);
   for (const StepOutcome outcome : outcomes) width += unit(30) + wordWidth(outcome);
   const ImVec2 low = lowerLeft(painter.pane, ImVec2(width, unit(22))), high(low.x + width, low.y + unit(22));
@@ -103,7 +114,8 @@ void drawLegend(const OverlayPainter& painter, const RecordedRay& ray) {
   for (const StepOutcome outcome : outcomes) {
     const StepLook& look = stepLook(outcome);
     drawStepGlyph(painter.list, ImVec2(x + unit(6), low.y + unit(11)), unit(10), outcome);
-    painter.list->AddText(font, font->FontSize, ImVec2(x + unit(16), low.y + unit(4)), IM_COL32(217, 223, 229, 255), look.word.data(), look.word.data() + look.word.size());
+    painter.list->AddText(font, font->FontSize, ImVec2(x + unit(16), low.y + unit(4)), IM_COL32(217, 223, 229, 255), look.word.data(),
+                          look.word.data() + look.word.size());
     x += unit(30) + wordWidth(outcome);
   }
 }

@@ -7,32 +7,32 @@
 #include <cmath>
 
 #include "app/frame/camera_moves.h"
-#include "app/model/comparison.h"
 #include "app/frame/pick_cell.h"
 #include "app/frame/read_out.h"
 #include "app/frame/viewport_place.h"
+#include "app/model/comparison.h"
 #include "app/ui/viewport/drag.h"
-#include "app/ui/widgets/legend.h"
 #include "app/ui/viewport/overlay.h"
 #include "app/ui/viewport/pane_parts.h"
+#include "app/ui/widgets/legend.h"
 #include "app/ui/widgets/widgets.h"
 
 namespace gridscope {
 
 namespace {
 
-constexpr float kClickSlack = 4.0f;           // pixels that a click may move
+constexpr float kClickSlack = 4.0f;  // pixels that a click may move
 
 // One picture's part of the pane.
 struct PaneSide {
   PanePicture picture;
-  const char* letter = nullptr;               // of a comparison
-  PaneRect rect;                              // min, max: its part
-  ImVec2 corner;                              // of the whole pane, in which the picture lies
+  const char* letter = nullptr;  // of a comparison
+  PaneRect rect;                 // min, max: its part
+  ImVec2 corner;                 // of the whole pane, in which the picture lies
   vec2 area{0.0f};
   const View* view = nullptr;
-  std::shared_ptr<const Pipeline::ViewImage> image;   // null: nothing to show
-  bool live = true;                           // of the frame that is shown, not of a kept one
+  std::shared_ptr<const Pipeline::ViewImage> image;  // null: nothing to show
+  bool live = true;                                  // of the frame that is shown, not of a kept one
 };
 
 vec2 sizeOf(const Pipeline::ViewImage& image) { return {float(image.width), float(image.height)}; }
@@ -46,8 +46,12 @@ uvec2 frameSize(const FrameSnapshot& frame, const Pipeline::ViewImage& image, co
 ViewportPlace& placeOf(WindowModel& model, int pane) { return model.places[model.linkedPanes ? 0 : size_t(pane)]; }
 
 PaneSide makeSide(WindowModel& model, int pane, ImVec2 low, ImVec2 high, const PanePicture& picture) {
-  PaneSide side{.picture = picture, .rect = {.min = low, .max = high, .pane = pane}, .corner = low, .area = {high.x - low.x, high.y - low.y},
-                .view = findView(picture.view), .image = imageOf(picture)};
+  PaneSide side{.picture = picture,
+                .rect = {.min = low, .max = high, .pane = pane},
+                .corner = low,
+                .area = {high.x - low.x, high.y - low.y},
+                .view = findView(picture.view),
+                .image = imageOf(picture)};
   side.live = picture.frame == model.frame.get();
   if (!side.image || !side.view || !paintPicture(picture, model.colourMap)) {
     side.image.reset();
@@ -74,8 +78,10 @@ std::vector<PaneSide> sidesOf(WindowModel& model, int pane, ImVec2 low, ImVec2 h
     sides.push_back(makeSide(model, pane, low, high, *content.second));
     sides[1].letter = "B";
     if (compare.flip) std::swap(sides[0], sides[1]);
-    if (compare.wipes) sides[0].rect.max.x = sides[1].rect.min.x = std::round(low.x + compare.split * (high.x - low.x));
-    else sides.pop_back();
+    if (compare.wipes)
+      sides[0].rect.max.x = sides[1].rect.min.x = std::round(low.x + compare.split * (high.x - low.x));
+    else
+      sides.pop_back();
   }
   const bool oneLegend = sides.size() == 2 && sides[0].view == sides[1].view;
   for (size_t i = 0; i < sides.size(); ++i)
@@ -104,7 +110,8 @@ void click(WindowModel& model, const PaneSide& side, uvec2 pixel) {
   const SliceSettings& slice = side.picture.frame->request.slice;
   const ivec3 cells = side.picture.frame->parameters.grid.cellCount;
   if (model.frame->parameters.grid.cellCount != cells) return model.showMessage("This cell is of another grid than the live frame's");
-  model.selection.selectCell(sliceCell(cells, slice.axis, slice.index < 0 ? cells[slice.axis] / 2 : slice.index, pixel.y * side.image->width + pixel.x));
+  model.selection.selectCell(
+      sliceCell(cells, slice.axis, slice.index < 0 ? cells[slice.axis] / 2 : slice.index, pixel.y * side.image->width + pixel.x));
 }
 
 // The cell whose drawn box, or whose surface, lies under the mouse.
@@ -112,8 +119,10 @@ void clickCell(WindowModel& model, const PaneSide& side, ImVec2 place) {
   if (!side.live || side.view->scope == ViewScope::slice || !model.frame->grid) return;
   model.activePane = side.rect.pane;
   const auto cell = pickCell(*model.frame, side.rect.camera, side.rect.toPixel(place), drawnBoxes(model, side.rect));
-  if (cell) model.selection.selectCell(*cell);
-  else model.showMessage("No cell of the grid lies there");
+  if (cell)
+    model.selection.selectCell(*cell);
+  else
+    model.showMessage("No cell of the grid lies there");
 }
 
 void dragArea(WindowModel& model, const PaneSide& side) {
@@ -143,8 +152,10 @@ void drawSide(WindowModel& model, const PaneSide& side) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.PushClipRect(side.rect.min, side.rect.max, true);
   list.AddRectFilled(side.rect.min, side.rect.max, IM_COL32(20, 23, 27, 255));
-  if (side.image) drawPicture(list, side.rect, side.picture, *side.image);
-  else drawNothing(model, side.picture, side.rect.min, side.rect.max);
+  if (side.image)
+    drawPicture(list, side.rect, side.picture, *side.image);
+  else
+    drawNothing(model, side.picture, side.rect.min, side.rect.max);
   list.PopClipRect();
 }
 
@@ -155,9 +166,12 @@ void drawOver(WindowModel& model, std::span<const PaneSide> sides) {
   if (first == sides.end()) return;
   PaneRect rect = first->rect;
   for (const PaneSide& side : sides)
-    if (isShown(side)) rect.min.x = std::min(rect.min.x, side.rect.min.x), rect.max.x = std::max(rect.max.x, side.rect.max.x), rect.legend = side.rect.legend;
+    if (isShown(side))
+      rect.min.x = std::min(rect.min.x, side.rect.min.x), rect.max.x = std::max(rect.max.x, side.rect.max.x),
+      rect.legend = side.rect.legend;
   ImGui::GetWindowDrawList()->PushClipRect(rect.min, rect.max, true);
-  if (model.overlays.dimmed && rayLegendShown(model, rect)) ImGui::GetWindowDrawList()->AddRectFilled(rect.min, rect.max, IM_COL32(20, 23, 27, 120));
+  if (model.overlays.dimmed && rayLegendShown(model, rect))
+    ImGui::GetWindowDrawList()->AddRectFilled(rect.min, rect.max, IM_COL32(20, 23, 27, 120));
   drawOverlays(model, rect);
   if (sides.size() == 1) drawLens(model, rect, first->picture, *first->image);
   drawSelectedPixel(model, rect, uvec2(first->image->width, first->image->height));
@@ -172,12 +186,17 @@ void actByMouse(WindowModel& model, const PaneSide& side, bool hovered) {
   const std::optional<uvec2> under = hovered ? pixelUnder(side, io.MousePos) : std::nullopt;
   const vec2 size = sizeOf(*side.image), mouse(io.MousePos.x - side.corner.x, io.MousePos.y - side.corner.y);
   if (hovered && io.MouseWheel != 0.0f && !model.flying) {
-    if (io.KeyAlt) dollyCamera(model.camera, std::pow(0.9f, io.MouseWheel));
-    else placeOf(model, pane) = zoomedAt(placeOf(model, pane), size, side.area, mouse, io.MouseWheel);
+    if (io.KeyAlt)
+      dollyCamera(model.camera, std::pow(0.9f, io.MouseWheel));
+    else
+      placeOf(model, pane) = zoomedAt(placeOf(model, pane), size, side.area, mouse, io.MouseWheel);
   }
-  if (model.selectingArea && (ImGui::IsItemActive() || ImGui::IsItemDeactivated())) dragArea(model, side);
-  else if (ImGui::IsItemDeactivated() && still && under) io.KeyAlt ? clickCell(model, side, io.MousePos) : click(model, side, *under);
-  else if (ImGui::IsItemActive() && !io.KeyAlt && !still) placeOf(model, pane) = movedBy(placeOf(model, pane), size, side.area, {io.MouseDelta.x, io.MouseDelta.y});
+  if (model.selectingArea && (ImGui::IsItemActive() || ImGui::IsItemDeactivated()))
+    dragArea(model, side);
+  else if (ImGui::IsItemDeactivated() && still && under)
+    io.KeyAlt ? clickCell(model, side, io.MousePos) : click(model, side, *under);
+  else if (ImGui::IsItemActive() && !io.KeyAlt && !still)
+    placeOf(model, pane) = movedBy(placeOf(model, pane), size, side.area, {io.MouseDelta.x, io.MouseDelta.y});
   if (!under) return;
   model.hoveredPixel = livePixel(model, side, *under);
   drawReadOut(readOutParts(*side.picture.frame, *side.view, *side.image, *under), side.rect, rayLegendShown(model, side.rect) && side.live);

@@ -7,8 +7,8 @@ namespace gridscope {
 
 struct PaneContent {
   PanePicture first;
-  std::optional<PanePicture> second;   // B of a comparison
-  bool legends = true;                 // in the lower right corners; else they stand elsewhere
+  std::optional<PanePicture> second;  // B of a comparison
+  bool legends = true;                // in the lower right corners; else they stand elsewhere
 };
 
 // Draws a pane into the rectangle and lets the mouse act in it. True: the mouse is over its picture.

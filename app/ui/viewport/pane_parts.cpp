@@ -5,8 +5,8 @@
 #include <array>
 #include <cmath>
 
-#include "app/model/held_ray.h"
 #include "app/frame/read_out.h"
+#include "app/model/held_ray.h"
 #include "app/ui/widgets/widgets.h"
 
 namespace gridscope {
@@ -14,9 +14,9 @@ namespace gridscope {
 namespace {
 
 constexpr ImU32 kBack = IM_COL32(20, 23, 27, 225), kText = IM_COL32(217, 223, 229, 255), kDim = IM_COL32(143, 154, 166, 255);
-constexpr size_t kMostLines = 2;              // of a read-out
-constexpr float kRaised = 30.0f;              // by a row at the foot, pixels at UI scale 1
-constexpr float kAxes = 92.0f;                // room of the axes in the upper right corner
+constexpr size_t kMostLines = 2;  // of a read-out
+constexpr float kRaised = 30.0f;  // by a row at the foot, pixels at UI scale 1
+constexpr float kAxes = 92.0f;    // room of the axes in the upper right corner
 
 ImVec2 textSize(ImFont* font, const std::string& text) { return font->CalcTextSizeA(font->FontSize, FLT_MAX, 0.0f, text.c_str()); }
 
@@ -30,7 +30,8 @@ void drawSelectedPixel(const WindowModel& model, const PaneRect& rect, uvec2 siz
   if (high.x < rect.min.x || high.y < rect.min.y || low.x > rect.max.x || low.y > rect.max.y) return;
   const float grow = std::max(0.0f, unit(4) - 0.5f * rect.scale), edge = unit(2), tick = unit(5);
   const ImVec2 a{std::max(low.x - grow, rect.min.x + edge), std::max(low.y - grow, rect.min.y + edge)};
-  const ImVec2 b{std::min(high.x + grow, rect.max.x - edge), std::min(high.y + grow, rect.max.y - edge)}, middle{0.5f * (a.x + b.x), 0.5f * (a.y + b.y)};
+  const ImVec2 b{std::min(high.x + grow, rect.max.x - edge), std::min(high.y + grow, rect.max.y - edge)},
+      middle{0.5f * (a.x + b.x), 0.5f * (a.y + b.y)};
   ImDrawList& list = *ImGui::GetWindowDrawList();
   for (const auto& [colour, width] : {std::pair{IM_COL32(0, 0, 0, 160), unit(3)}, std::pair{IM_COL32(255, 255, 255, 255), unit(1)}}) {
     list.AddRect(a, b, colour, 0.0f, 0, width);
@@ -78,21 +79,28 @@ static std::string whyMissing(const WindowModel& model, const View& view) {
   const std::string title(view.title);
   const bool ofTruth = view.need == ViewNeed::truth || view.need == ViewNeed::triangleCosts;
   if (ofTruth && !model.request.truth && model.truthDeclined) return title + " needs the truth, which was cancelled: Ctrl+T tells it";
-  if (view.need == ViewNeed::cellUpdates && model.frame->scene && model.frame->scene->foreign) return title + ": what another engine's update changed is not known";
-  if (view.need == ViewNeed::cellUpdates && model.frame->scene && model.frame->scene->captureFrames > 0) return title + ": step time once, Ctrl+Right, to see what the next update changes";
+  if (view.need == ViewNeed::cellUpdates && model.frame->scene && model.frame->scene->foreign)
+    return title + ": what another engine's update changed is not known";
+  if (view.need == ViewNeed::cellUpdates && model.frame->scene && model.frame->scene->captureFrames > 0)
+    return title + ": step time once, Ctrl+Right, to see what the next update changes";
   return title + " is being made";
 }
 
 void drawNothing(const WindowModel& model, const PanePicture& picture, ImVec2 low, ImVec2 high) {
   const View* view = findView(picture.view);
   std::string text = "Nothing to show yet";
-  if (!picture.frame && model.frame) text = "No frame is kept: K keeps the present one as B";
+  if (!picture.frame && model.frame)
+    text = "No frame is kept: K keeps the present one as B";
   else if (picture.frame != model.frame.get())
-    text = model.comparison.completing ? "This view of the kept frame is on its way" : "The kept frame does not hold this view: choose another, or keep it again with K";
-  else if (view && model.frame) text = whyMissing(model, *view);
+    text = model.comparison.completing ? "This view of the kept frame is on its way"
+                                       : "The kept frame does not hold this view: choose another, or keep it again with K";
+  else if (view && model.frame)
+    text = whyMissing(model, *view);
   const float most = std::max(high.x - low.x - unit(20), unit(40));
   const ImVec2 size = ImGui::CalcTextSize(text.c_str(), nullptr, false, most);
-  ImGui::GetWindowDrawList()->AddText(ImGui::GetFont(), ImGui::GetFontSize(), {0.5f * (low.x + high.x - size.x), 0.5f * (low.y + high.y - size.y)}, kDim, text.c_str(), nullptr, most);
+  ImGui::GetWindowDrawList()->AddText(ImGui::GetFont(), ImGui::GetFontSize(),
+                                      {0.5f * (low.x + high.x - size.x), 0.5f * (low.y + high.y - size.y)}, kDim, text.c_str(), nullptr,
+                                      most);
 }
 
 void dragSplit(WindowModel& model, ImVec2 low, ImVec2 high) {
@@ -119,7 +127,8 @@ void drawLetter(const char* letter, const std::string& words, const PaneRect& re
   list.PushClipRect(rect.min, rect.max, true);
   list.AddRectFilled(place, {place.x + size.x, place.y + size.y}, kBack, unit(3));
   list.AddText(bold, bold->FontSize, {place.x + unit(6), place.y + 0.5f * (size.y - bold->FontSize)}, IM_COL32_WHITE, letter);
-  if (!words.empty()) list.AddText(small, small->FontSize, {place.x + unit(22), place.y + 0.5f * (size.y - small->FontSize)}, kText, words.c_str());
+  if (!words.empty())
+    list.AddText(small, small->FontSize, {place.x + unit(22), place.y + 0.5f * (size.y - small->FontSize)}, kText, words.c_str());
   list.PopClipRect();
 }
 

@@ -9,21 +9,21 @@
 #include <array>
 #include <cmath>
 
-#include "app/frame/camera_moves.h"
 #include "app/base/text.h"
+#include "app/frame/camera_moves.h"
 
 namespace gridscope {
 
 namespace {
 
-constexpr float kTurnPerPixel = 0.005f;       // radians
-constexpr float kFaster = 4.0f;               // with Shift
-constexpr float kSpeedStep = 1.2f;            // of the wheel and the speed keys
+constexpr float kTurnPerPixel = 0.005f;  // radians
+constexpr float kFaster = 4.0f;          // with Shift
+constexpr float kSpeedStep = 1.2f;       // of the wheel and the speed keys
 
 // The button that steers now, from its press over a pane to its release.
 struct Steering {
   int button = -1;
-  std::optional<vec3> pivot;                  // of an orbit; nothing: the camera's target
+  std::optional<vec3> pivot;  // of an orbit; nothing: the camera's target
 };
 
 int pressedOverPane(const ImGuiIO& io) {
@@ -38,7 +38,8 @@ void orbit(CameraState& camera, const std::optional<vec3>& pivot, const ImGuiIO&
   camera.mode = CameraMode::orbit;
   const float turn = -way.x * kTurnPerPixel, rise = -way.y * kTurnPerPixel;
   if (!io.KeyShift) return pivot ? orbitAround(camera, *pivot, turn, rise) : orbitCamera(camera, turn, rise);
-  const float perPixel = 2.0f * std::tan(0.5f * glm::radians(camera.pose.verticalFovDegrees)) * glm::distance(camera.pose.eye, camera.pose.target) / 800.0f;
+  const float perPixel =
+      2.0f * std::tan(0.5f * glm::radians(camera.pose.verticalFovDegrees)) * glm::distance(camera.pose.eye, camera.pose.target) / 800.0f;
   moveCamera(camera, {-way.x * perPixel, way.y * perPixel, 0.0f});
 }
 
@@ -76,8 +77,10 @@ void steerCamera(WindowModel& model, bool overPane) {
   if (steering.button >= 0 && !ImGui::IsMouseDown(steering.button)) steering.button = -1;
   model.flying = steering.button == 1;
   if (steering.button < 0) return;
-  if (model.flying) fly(model, io);
-  else orbit(model.camera, steering.pivot, io);
+  if (model.flying)
+    fly(model, io);
+  else
+    orbit(model.camera, steering.pivot, io);
 }
 
 }  // namespace gridscope

@@ -2,22 +2,22 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/frame/changes.h"
-#include "app/model/held_ray.h"
-#include "app/model/flow.h"
-#include "app/frame/ray_stepping.h"
 #include "app/base/text.h"
+#include "app/frame/changes.h"
+#include "app/frame/ray_stepping.h"
+#include "app/model/flow.h"
+#include "app/model/held_ray.h"
 #include "app/ui/shell/actions.h"
-#include "app/ui/widgets/legend.h"
 #include "app/ui/viewport/pane.h"
 #include "app/ui/viewport/steering.h"
+#include "app/ui/widgets/legend.h"
 #include "app/ui/widgets/widgets.h"
 
 namespace gridscope {
 
 namespace {
 
-constexpr float kBarHeight = 30, kPaneHead = 24, kPaneGap = 3;   // pixels at UI scale 1
+constexpr float kBarHeight = 30, kPaneHead = 24, kPaneGap = 3;  // pixels at UI scale 1
 constexpr const char* kMapNames[] = {"Viridis", "Cividis", "Magma", "Grey"};
 
 // Small pictures of the layouts.
@@ -26,13 +26,17 @@ bool layoutButton(const char* id, ViewportLayout layout, bool chosen) {
   const ImVec2 low = ImGui::GetCursorScreenPos(), high{low.x + side, low.y + side};
   const bool clicked = ImGui::InvisibleButton(id, {side, side});
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  if (chosen || ImGui::IsItemHovered()) list.AddRectFilled(low, high, packed(uiColour(chosen ? UiColour::selectedRow : UiColour::control)), unit(3));
+  if (chosen || ImGui::IsItemHovered())
+    list.AddRectFilled(low, high, packed(uiColour(chosen ? UiColour::selectedRow : UiColour::control)), unit(3));
   const ImU32 colour = packed(uiColour(chosen ? UiColour::link : UiColour::dim));
   const float a = unit(6), b = side - a, middle = 0.5f * side, gap = unit(1);
-  const auto box = [&](float x0, float y0, float x1, float y1) { list.AddRectFilled({low.x + x0, low.y + y0}, {low.x + x1, low.y + y1}, colour); };
+  const auto box = [&](float x0, float y0, float x1, float y1) {
+    list.AddRectFilled({low.x + x0, low.y + y0}, {low.x + x1, low.y + y1}, colour);
+  };
   if (layout == ViewportLayout::one) box(a, a, b, b);
   if (layout == ViewportLayout::four)
-    box(a, a, middle - gap, middle - gap), box(middle + gap, a, b, middle - gap), box(a, middle + gap, middle - gap, b), box(middle + gap, middle + gap, b, b);
+    box(a, a, middle - gap, middle - gap), box(middle + gap, a, b, middle - gap), box(a, middle + gap, middle - gap, b),
+        box(middle + gap, middle + gap, b, b);
   if (layout == ViewportLayout::compare) {
     box(a, a, middle - gap, b);
     list.AddRect({low.x + middle + gap, low.y + a}, {low.x + b, low.y + b}, colour);
@@ -128,8 +132,10 @@ void barCompare(WindowModel& model) {
   int with = compare.with == CompareState::With::frame ? 1 : 0;
   if (ImGui::Combo("##with", &with, "view\0kept frame\0")) compare.with = with == 1 ? CompareState::With::frame : CompareState::With::view;
   ImGui::SameLine();
-  if (compare.with == CompareState::With::view) chooseView("##second", model.panes[size_t(model.activePane) ^ 1u].view, unit(120));
-  else actionButton(model, "Keep frame as B", "Keep");
+  if (compare.with == CompareState::With::view)
+    chooseView("##second", model.panes[size_t(model.activePane) ^ 1u].view, unit(120));
+  else
+    actionButton(model, "Keep frame as B", "Keep");
   ImGui::SameLine();
   if (ImGui::RadioButton("wipe", compare.wipes)) compare.wipes = true;
   whyTooltip("Both, with a split between them that can be dragged");
@@ -141,7 +147,8 @@ void barCompare(WindowModel& model) {
   if (compare.with != CompareState::With::frame || !compare.kept || !compare.kept->request.settings || !model.request.settings) return;
   const CameraPose& kept = compare.kept->request.settings->camera;
   ImGui::SameLine();
-  if (keyButton("Its camera", "", !sameCamera(kept, model.camera.pose), "The camera stands where the kept frame's does")) model.camera.pose = kept;
+  if (keyButton("Its camera", "", !sameCamera(kept, model.camera.pose), "The camera stands where the kept frame's does"))
+    model.camera.pose = kept;
   whyTooltip("Moves the live frame's camera to the kept frame's");
 }
 
@@ -211,7 +218,8 @@ bool drawFour(WindowModel& model, ImVec2 low, ImVec2 high) {
     chooseView("##view", model.panes[size_t(pane)].view, unit(120));
     ImGui::PopID();
     const PaneContent content{.first = pictureOf(model, pane), .legends = false};
-    if (const View* view = findView(content.first.view)) drawLegendLine(model, *view, shownRange(content.first), {b.x - unit(6), a.y + unit(4)}, a.x + unit(130));
+    if (const View* view = findView(content.first.view))
+      drawLegendLine(model, *view, shownRange(content.first), {b.x - unit(6), a.y + unit(4)}, a.x + unit(130));
     overPane |= drawPane(model, pane, {a.x, a.y + head}, b, content);
     if (pane == model.activePane) list.AddRect({a.x, a.y + head}, b, packed(uiColour(UiColour::accent)), 0.0f, 0, unit(1.5f));
   }
@@ -226,7 +234,8 @@ void drawSpeed(const WindowModel& model, ImVec2 low, ImVec2 high) {
   const ImVec2 size = font->CalcTextSizeA(font->FontSize, FLT_MAX, 0.0f, words.c_str());
   const ImVec2 corner{0.5f * (low.x + high.x - size.x), high.y - size.y - unit(64)};
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  list.AddRectFilled({corner.x - unit(10), corner.y - unit(5)}, {corner.x + size.x + unit(10), corner.y + size.y + unit(5)}, IM_COL32(20, 23, 27, 225), unit(3));
+  list.AddRectFilled({corner.x - unit(10), corner.y - unit(5)}, {corner.x + size.x + unit(10), corner.y + size.y + unit(5)},
+                     IM_COL32(20, 23, 27, 225), unit(3));
   list.AddText(font, font->FontSize, corner, IM_COL32(217, 223, 229, 255), words.c_str());
 }
 
@@ -234,8 +243,9 @@ void drawSpeed(const WindowModel& model, ImVec2 low, ImVec2 high) {
 void drawWork(WindowModel& model, ImVec2 low, ImVec2 high) {
   if (!model.work) return;
   const LongWork& work = *model.work;
-  const bool loads = work.kind == LongWork::Kind::source || work.kind == LongWork::Kind::grid;   // there may be no picture under it
-  const ImVec2 size{unit(320), unit(84)}, corner{0.5f * (low.x + high.x - size.x), loads ? 0.5f * (low.y + high.y - size.y) : high.y - size.y - unit(60)};
+  const bool loads = work.kind == LongWork::Kind::source || work.kind == LongWork::Kind::grid;  // there may be no picture under it
+  const ImVec2 size{unit(320), unit(84)},
+      corner{0.5f * (low.x + high.x - size.x), loads ? 0.5f * (low.y + high.y - size.y) : high.y - size.y - unit(60)};
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.AddRectFilled(corner, {corner.x + size.x, corner.y + size.y}, packed(uiColour(UiColour::head)), unit(3));
   list.AddRect(corner, {corner.x + size.x, corner.y + size.y}, packed(uiColour(UiColour::line)), unit(3));
@@ -246,11 +256,14 @@ void drawWork(WindowModel& model, ImVec2 low, ImVec2 high) {
   list.AddRectFilled(bar, barEnd, packed(uiColour(UiColour::control)), unit(3));
   const float sweep = work.share >= 0.0f ? work.share : 0.3f, width = barEnd.x - bar.x;
   const float begin = work.share >= 0.0f ? 0.0f : float(std::fmod(model.now * 0.6, 1.0)) * 0.7f;
-  list.AddRectFilled({bar.x + begin * width, bar.y}, {bar.x + (begin + sweep) * width, barEnd.y}, packed(uiColour(UiColour::accent)), unit(3));
+  list.AddRectFilled({bar.x + begin * width, bar.y}, {bar.x + (begin + sweep) * width, barEnd.y}, packed(uiColour(UiColour::accent)),
+                     unit(3));
   ImGui::SetCursorScreenPos({corner.x + unit(12), corner.y + unit(48)});
   if (!ImGui::Button("Cancel", {unit(80), unit(24)})) return;
-  if (work.kind == LongWork::Kind::truth) declineTruth(model);
-  else model.cancelWork = true;
+  if (work.kind == LongWork::Kind::truth)
+    declineTruth(model);
+  else
+    model.cancelWork = true;
 }
 
 void drawToast(const WindowModel& model, ImVec2 low, ImVec2 high) {
@@ -259,7 +272,8 @@ void drawToast(const WindowModel& model, ImVec2 low, ImVec2 high) {
   const ImVec2 size = ImGui::CalcTextSize(model.toast.c_str(), nullptr, false, most);
   const ImVec2 corner{0.5f * (low.x + high.x - size.x), low.y + unit(14)};
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  list.AddRectFilled({corner.x - unit(12), corner.y - unit(6)}, {corner.x + size.x + unit(12), corner.y + size.y + unit(6)}, IM_COL32(20, 23, 27, 235), unit(3));
+  list.AddRectFilled({corner.x - unit(12), corner.y - unit(6)}, {corner.x + size.x + unit(12), corner.y + size.y + unit(6)},
+                     IM_COL32(20, 23, 27, 235), unit(3));
   list.AddText(ImGui::GetFont(), ImGui::GetFontSize(), corner, IM_COL32(235, 239, 243, 255), model.toast.c_str(), nullptr, most);
 }
 

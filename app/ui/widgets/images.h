@@ -39,9 +39,9 @@ class WindowImages {
     VkImage image = VK_NULL_HANDLE;
     VkDeviceMemory memory = VK_NULL_HANDLE;
     VkImageView view = VK_NULL_HANDLE;
-    VkDescriptorSet sets[2] = {};        // nearest, linear
+    VkDescriptorSet sets[2] = {};  // nearest, linear
     bool filled = false;
-    std::vector<uint8_t> waiting;        // bytes to upload; empty: none
+    std::vector<uint8_t> waiting;  // bytes to upload; empty: none
   };
   // A host-visible buffer of one frame in flight.
   struct Staging {
@@ -54,7 +54,7 @@ class WindowImages {
   struct Draw {
     WindowImages* images;
     VkDescriptorSet set;
-    float arguments[8];                  // screen low, high; uv low, high
+    float arguments[8];  // screen low, high; uv low, high
   };
 
   static void drawCallback(const ImDrawList* list, const ImDrawCmd* command);
@@ -73,7 +73,7 @@ class WindowImages {
   VkDescriptorPool pool_ = VK_NULL_HANDLE;
   std::map<std::string, Texture> textures_;
   Staging staging_[WindowSwapchain::kFramesInFlight];
-  std::vector<Draw*> draws_;             // of the frame that is built
+  std::vector<Draw*> draws_;  // of the frame that is built
   VkCommandBuffer commands_ = VK_NULL_HANDLE;
   VkExtent2D extent_{};
 };

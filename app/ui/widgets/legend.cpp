@@ -17,7 +17,9 @@ constexpr ImU32 kBack = IM_COL32(20, 23, 27, 225), kText = IM_COL32(217, 223, 22
 
 ImU32 colourOf(const vec3& colour) { return ImGui::ColorConvertFloat4ToU32({colour.x, colour.y, colour.z, 1.0f}); }
 
-ImVec2 textSize(ImFont* font, std::string_view text) { return font->CalcTextSizeA(font->FontSize, FLT_MAX, 0.0f, text.data(), text.data() + text.size()); }
+ImVec2 textSize(ImFont* font, std::string_view text) {
+  return font->CalcTextSizeA(font->FontSize, FLT_MAX, 0.0f, text.data(), text.data() + text.size());
+}
 
 void putText(ImFont* font, ImVec2 place, ImU32 colour, std::string_view text) {
   ImGui::GetWindowDrawList()->AddText(font, font->FontSize, place, colour, text.data(), text.data() + text.size());
@@ -133,7 +135,8 @@ void drawGizmo(WindowModel& model, ImVec2 centre, float radius) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.AddCircleFilled(centre, radius, IM_COL32(20, 23, 27, 150));
   const CameraPose& pose = model.camera.pose;
-  const vec3 forward = glm::normalize(pose.target - pose.eye), right = glm::normalize(glm::cross(forward, pose.up)), up = glm::cross(right, forward);
+  const vec3 forward = glm::normalize(pose.target - pose.eye), right = glm::normalize(glm::cross(forward, pose.up)),
+             up = glm::cross(right, forward);
   struct Arm {
     int axis;
     bool positive;
@@ -145,7 +148,10 @@ void drawGizmo(WindowModel& model, ImVec2 centre, float radius) {
     vec3 direction(0.0f);
     direction[i / 2] = i % 2 == 0 ? 1.0f : -1.0f;
     const float length = radius - unit(8);
-    arms[size_t(i)] = {i / 2, i % 2 == 0, glm::dot(direction, forward), {centre.x + glm::dot(direction, right) * length, centre.y - glm::dot(direction, up) * length}};
+    arms[size_t(i)] = {i / 2,
+                       i % 2 == 0,
+                       glm::dot(direction, forward),
+                       {centre.x + glm::dot(direction, right) * length, centre.y - glm::dot(direction, up) * length}};
   }
   std::ranges::sort(arms, [](const Arm& a, const Arm& b) { return a.depth > b.depth; });
   const ImU32 colours[] = {IM_COL32(224, 122, 95, 255), IM_COL32(129, 178, 80, 255), IM_COL32(96, 148, 224, 255)};
@@ -166,7 +172,8 @@ void drawGizmo(WindowModel& model, ImVec2 centre, float radius) {
     ImGui::PushID(2 * arm.axis + (arm.positive ? 1 : 0));
     if (ImGui::InvisibleButton("axis", {2.0f * half, 2.0f * half})) lookAlongOrBack(model.camera, arm.axis, arm.positive);
     ImGui::SetItemAllowOverlap();
-    whyTooltip((std::string("Looks from ") + (arm.positive ? "+" : "-") + "xyz"[arm.axis] + "; from the other side when it does already").c_str());
+    whyTooltip(
+        (std::string("Looks from ") + (arm.positive ? "+" : "-") + "xyz"[arm.axis] + "; from the other side when it does already").c_str());
     ImGui::PopID();
   }
 }

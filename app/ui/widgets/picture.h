@@ -10,8 +10,8 @@ namespace gridscope {
 struct PanePicture {
   const FrameSnapshot* frame = nullptr;
   std::string view;
-  std::string key;                     // of its texture
-  std::optional<ValueRange> range;     // as the person set it
+  std::string key;                  // of its texture
+  std::optional<ValueRange> range;  // as the person set it
 };
 
 // Its elements; null: the frame does not hold this view.

@@ -9,7 +9,7 @@ namespace gridscope {
 
 namespace {
 
-constexpr float kLabelWidth = 134;     // pixels at UI scale 1
+constexpr float kLabelWidth = 134;  // pixels at UI scale 1
 
 const char* lockedWhy = "";
 
@@ -25,7 +25,9 @@ void drawFill(const ImVec2& low, const ImVec2& high, float share) {
   const float alpha = ImGui::GetStyle().Alpha, rounding = ImGui::GetStyle().FrameRounding, x = std::floor(low.x + share * (high.x - low.x));
   const auto faded = [&](ImVec4 colour) { return colour.w *= alpha, packed(colour); };
   list.AddRectFilled(low, high, faded(uiColour(UiColour::control)), rounding);
-  if (share > 0.0f) list.AddRectFilled(low, {std::max(x, low.x + rounding), high.y}, faded(uiColour(UiColour::selectedRow)), rounding, ImDrawFlags_RoundCornersLeft);
+  if (share > 0.0f)
+    list.AddRectFilled(low, {std::max(x, low.x + rounding), high.y}, faded(uiColour(UiColour::selectedRow)), rounding,
+                       ImDrawFlags_RoundCornersLeft);
   list.AddRectFilled({std::clamp(x - unit(1), low.x, high.x - unit(2)), low.y}, {std::clamp(x + unit(1), low.x + unit(2), high.x), high.y},
                      faded(uiColour(*lockedWhy ? UiColour::disabled : UiColour::accent)));
 }
@@ -47,7 +49,8 @@ bool slide(const char* id, float share, const Control& control, const Text& text
   if (!typing) {
     const std::string value = text();
     const ImVec2 size = ImGui::CalcTextSize(value.c_str());
-    ImGui::GetWindowDrawList()->AddText({high.x - size.x - unit(6), low.y + 0.5f * (high.y - low.y - size.y)}, ImGui::GetColorU32(ImGuiCol_Text), value.c_str());
+    ImGui::GetWindowDrawList()->AddText({high.x - size.x - unit(6), low.y + 0.5f * (high.y - low.y - size.y)},
+                                        ImGui::GetColorU32(ImGuiCol_Text), value.c_str());
   }
   ImGui::PopFont();
   return changed;
@@ -85,7 +88,8 @@ bool fillSlider(const char* id, float& value, const SliderRange& range, const ch
 
 bool fillSlider(const char* id, int& value, const SliderRange& range, const char* format) {
   return slide(
-      id, placeIn(range, float(value)), [&] { return ImGui::SliderInt(id, &value, int(range.low), int(range.high), format, flagsOf(range)); },
+      id, placeIn(range, float(value)),
+      [&] { return ImGui::SliderInt(id, &value, int(range.low), int(range.high), format, flagsOf(range)); },
       [&] { return printed(format, value); });
 }
 

@@ -53,18 +53,21 @@ void applyChange(WindowModel& model, bool changed, const Change& change) {
   change(*model.request.settings);
 }
 
-void whyLocked();                      // tooltip of the item before, where it is locked
+void whyLocked();  // tooltip of the item before, where it is locked
 
 // A number that is dragged along a range and may be typed from `least` to `most`.
 template <typename Change>
-void sliderRow(WindowModel& model, const char* id, float now, const SliderRange& range, const std::array<float, 2>& typed, const char* format, const Change& change) {
+void sliderRow(WindowModel& model, const char* id, float now, const SliderRange& range, const std::array<float, 2>& typed,
+               const char* format, const Change& change) {
   const bool changed = fillSlider(id, now, range, format);
   whyLocked();
-  applyChange(model, changed && std::isfinite(now), [&](FrameSettings& settings) { change(settings, std::clamp(now, typed[0], typed[1])); });
+  applyChange(model, changed && std::isfinite(now),
+              [&](FrameSettings& settings) { change(settings, std::clamp(now, typed[0], typed[1])); });
 }
 
 template <typename Change>
-void sliderRow(WindowModel& model, const char* id, int now, const SliderRange& range, const std::array<int, 2>& typed, const Change& change) {
+void sliderRow(WindowModel& model, const char* id, int now, const SliderRange& range, const std::array<int, 2>& typed,
+               const Change& change) {
   const bool changed = fillSlider(id, now, range);
   whyLocked();
   applyChange(model, changed, [&](FrameSettings& settings) { change(settings, std::clamp(now, typed[0], typed[1])); });
@@ -72,16 +75,19 @@ void sliderRow(WindowModel& model, const char* id, int now, const SliderRange& r
 
 // A number without a range that a slider could show.
 template <typename Change>
-void numberRow(WindowModel& model, const char* id, float now, float speed, const std::array<float, 2>& typed, const char* format, const Change& change) {
+void numberRow(WindowModel& model, const char* id, float now, float speed, const std::array<float, 2>& typed, const char* format,
+               const Change& change) {
   ImGui::PushFont(windowFonts().mono);
   const bool changed = ImGui::DragFloat(id, &now, speed, typed[0], typed[1], format, ImGuiSliderFlags_AlwaysClamp);
   ImGui::PopFont();
   whyLocked();
-  applyChange(model, changed && std::isfinite(now), [&](FrameSettings& settings) { change(settings, std::clamp(now, typed[0], typed[1])); });
+  applyChange(model, changed && std::isfinite(now),
+              [&](FrameSettings& settings) { change(settings, std::clamp(now, typed[0], typed[1])); });
 }
 
 template <typename Change>
-void numberRow(WindowModel& model, const char* id, int now, float speed, const std::array<int, 2>& typed, const char* format, const Change& change) {
+void numberRow(WindowModel& model, const char* id, int now, float speed, const std::array<int, 2>& typed, const char* format,
+               const Change& change) {
   ImGui::PushFont(windowFonts().mono);
   const bool changed = ImGui::DragInt(id, &now, speed, typed[0], typed[1], format, ImGuiSliderFlags_AlwaysClamp);
   ImGui::PopFont();

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <vector>
 
+#include "app/frame/ray_stepping.h"
 #include "app/model/held_ray.h"
 #include "app/ui/panels/table_parts.h"
-#include "app/frame/ray_stepping.h"
 #include "app/ui/widgets/widgets.h"
 #include "shaders/shared/views/palette.h"
 
@@ -64,7 +64,8 @@ bool drawWord(const PlacedWord& word, ImVec2 corner) {
   const ImVec4 colour = isLink ? uiColour(UiColour::link) : word.part->colour ? meaningColour(word.part->colour) : uiColour(UiColour::text);
   const ImVec2 place(corner.x + word.place.x, corner.y + word.place.y);
   const float drop = 0.5f * (word.size.y - font->FontSize);
-  list->AddText(font, font->FontSize, ImVec2(place.x, place.y + drop), packed(colour), word.text.data(), word.text.data() + word.text.size());
+  list->AddText(font, font->FontSize, ImVec2(place.x, place.y + drop), packed(colour), word.text.data(),
+                word.text.data() + word.text.size());
   if (!isLink) return false;
   ImGui::SetCursorScreenPos(place);
   ImGui::PushID(static_cast<int>(word.partIndex));
@@ -72,7 +73,8 @@ bool drawWord(const PlacedWord& word, ImVec2 corner) {
   ImGui::PopID();
   if (ImGui::IsItemHovered()) {
     ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
-    list->AddLine(ImVec2(place.x, place.y + word.size.y - unit(2)), ImVec2(place.x + word.size.x, place.y + word.size.y - unit(2)), packed(colour));
+    list->AddLine(ImVec2(place.x, place.y + word.size.y - unit(2)), ImVec2(place.x + word.size.x, place.y + word.size.y - unit(2)),
+                  packed(colour));
   }
   return clicked;
 }
@@ -118,7 +120,10 @@ void drawStepGlyph(ImDrawList* list, ImVec2 centre, float size, StepOutcome kind
       list->AddRectFilled(low, high, colour, 0.0f);
       list->AddRect(ImVec2(low.x - 1, low.y - 1), ImVec2(high.x + 1, high.y + 1), packed(uiColour(UiColour::text)), 0.0f, 0, 1.0f);
       break;
-    case StepShape::diamond: list->AddQuadFilled(ImVec2(centre.x, low.y - 1), ImVec2(high.x + 1, centre.y), ImVec2(centre.x, high.y + 1), ImVec2(low.x - 1, centre.y), colour); break;
+    case StepShape::diamond:
+      list->AddQuadFilled(ImVec2(centre.x, low.y - 1), ImVec2(high.x + 1, centre.y), ImVec2(centre.x, high.y + 1),
+                          ImVec2(low.x - 1, centre.y), colour);
+      break;
     case StepShape::cross:
       list->AddLine(ImVec2(low.x + 2, low.y + 2), ImVec2(high.x - 2, high.y - 2), colour, unit(1.5f));
       list->AddLine(ImVec2(low.x + 2, high.y - 2), ImVec2(high.x - 2, low.y + 2), colour, unit(1.5f));

@@ -17,11 +17,11 @@ struct ShownStep {
   StepFacts facts;
   Sentence sentence;
 };
-const ShownStep* shownStepFacts(const WindowModel& model);   // null: no step is shown
+const ShownStep* shownStepFacts(const WindowModel& model);  // null: no step is shown
 
 // The mark of a step's outcome, about `size` pixels across.
 void drawStepGlyph(ImDrawList* list, ImVec2 centre, float size, StepOutcome kind);
-void stepGlyphInline(StepOutcome kind);                         // before a word
+void stepGlyphInline(StepOutcome kind);  // before a word
 
 // A sentence in a box of the panel's width with a 4 px bar in a colour (0xRRGGBB of the dark theme); clicked links select what they name.
 float sentenceBoxHeight(const Sentence& sentence, float width);

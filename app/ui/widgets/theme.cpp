@@ -32,8 +32,8 @@ constexpr ThemeColour kUiColours[] = {
 
 // Colours with a fixed meaning, as the light theme shows them.
 constexpr ThemeColour kMeanings[] = {
-    {kColourTriangleHit, 0x12855F}, {kColourVoxelHit, 0xB57A00}, {kColourMiss, 0x4A6F9B},      {kColourSaturated, 0xC43A8B},
-    {kColourTested, 0x2A7FBA},      {kColourRevisit, 0x6F5DBF},  {kColourEmpty, 0x77828D},     {kColourSelected, 0x000000},
+    {kColourTriangleHit, 0x12855F}, {kColourVoxelHit, 0xB57A00},   {kColourMiss, 0x4A6F9B},       {kColourSaturated, 0xC43A8B},
+    {kColourTested, 0x2A7FBA},      {kColourRevisit, 0x6F5DBF},    {kColourEmpty, 0x77828D},      {kColourSelected, 0x000000},
     {kColourHole, 0xCF4210},        {kColourVoxelRight, 0x8C6D14}, {kColourVoxelWrong, 0xD9A800}, {kColourTooFar, 0x1E6FB8},
     {kColourTooNear, 0x4FA9D0},     {kColourGate, kColourGate},
 };
@@ -90,7 +90,9 @@ ImVec4 meaningColour(uint32_t darkColour) {
   return unpacked(darkColour);
 }
 
-ImU32 packed(const ImVec4& colour) { return ImGui::ColorConvertFloat4ToU32({colour.x, colour.y, colour.z, colour.w * ImGui::GetStyle().Alpha}); }
+ImU32 packed(const ImVec4& colour) {
+  return ImGui::ColorConvertFloat4ToU32({colour.x, colour.y, colour.z, colour.w * ImGui::GetStyle().Alpha});
+}
 
 float unit(float pixels) { return std::round(pixels * presentScale); }
 

@@ -41,7 +41,8 @@ bool drawSection(const char* title, std::string_view right, bool openAtFirst, bo
   const ImGuiID id = window->GetID(title);
   bool* open = window->StateStorage.GetBoolRef(id, openAtFirst);
   const float height = unit(26);
-  const float left = window->WorkRect.Min.x - ImGui::GetStyle().WindowPadding.x, width = window->WorkRect.GetWidth() + 2.0f * ImGui::GetStyle().WindowPadding.x;
+  const float left = window->WorkRect.Min.x - ImGui::GetStyle().WindowPadding.x,
+              width = window->WorkRect.GetWidth() + 2.0f * ImGui::GetStyle().WindowPadding.x;
   const ImVec2 low{left, ImGui::GetCursorScreenPos().y}, high{left + width, low.y + height};
   ImDrawList& list = *window->DrawList;
   list.AddRectFilled(low, high, packed(uiColour(UiColour::head)));
@@ -54,8 +55,10 @@ bool drawSection(const char* title, std::string_view right, bool openAtFirst, bo
   ImGui::PopID();
   const float middle = std::floor(0.5f * (low.y + high.y)), x = low.x + unit(13), arm = unit(3.5f);
   const ImU32 dim = packed(uiColour(UiColour::dim));
-  if (*open) list.AddTriangleFilled({x - arm, middle - arm * 0.6f}, {x + arm, middle - arm * 0.6f}, {x, middle + arm * 0.8f}, dim);
-  else list.AddTriangleFilled({x - arm * 0.6f, middle - arm}, {x + arm * 0.8f, middle}, {x - arm * 0.6f, middle + arm}, dim);
+  if (*open)
+    list.AddTriangleFilled({x - arm, middle - arm * 0.6f}, {x + arm, middle - arm * 0.6f}, {x, middle + arm * 0.8f}, dim);
+  else
+    list.AddTriangleFilled({x - arm * 0.6f, middle - arm}, {x + arm * 0.8f, middle}, {x - arm * 0.6f, middle + arm}, dim);
   ImFont* bold = windowFonts().sansBold;
   list.AddText(bold, bold->FontSize, {low.x + unit(25), middle - 0.5f * bold->FontSize}, packed(uiColour(UiColour::text)), title,
                ImGui::FindRenderedTextEnd(title));
@@ -136,7 +139,8 @@ bool keyButton(const char* label, const char* key, bool enabled, const char* why
   const bool clicked = ImGui::Button("##key", {words.x + cap + unit(16), height});
   if (!enabled) ImGui::EndDisabled();
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  list.AddText({place.x + unit(8), place.y + 0.5f * (height - words.y)}, packed(uiColour(enabled ? UiColour::text : UiColour::disabled)), label, shownEnd);
+  list.AddText({place.x + unit(8), place.y + 0.5f * (height - words.y)}, packed(uiColour(enabled ? UiColour::text : UiColour::disabled)),
+               label, shownEnd);
   if (*key) drawKeyCap({place.x + words.x + unit(16), place.y + 0.5f * (height - windowFonts().mono->FontSize) - 1.0f}, key, enabled);
   ImGui::PopID();
   if (!enabled) whyTooltip(whyNot);
@@ -171,7 +175,9 @@ void swatch(uint32_t darkColour, bool hatched) {
 
 bool sectionHeader(const char* title, std::string_view right, bool openAtFirst) { return drawSection(title, right, openAtFirst, nullptr); }
 
-bool tableSection(const char* title, std::string_view right, size_t rows, bool& csv) { return drawSection(title, right, true, rows > 0 ? &csv : nullptr); }
+bool tableSection(const char* title, std::string_view right, size_t rows, bool& csv) {
+  return drawSection(title, right, true, rows > 0 ? &csv : nullptr);
+}
 
 void emptyState(const char* sentence) {
   ImGui::Dummy({1.0f, unit(6)});

@@ -29,19 +29,21 @@ ImVec4 uiColour(UiColour colour);
 ImVec4 meaningColour(uint32_t darkColour);
 ImU32 packed(const ImVec4& colour);
 
-float unit(float pixels);                              // pixels at UI scale 1 as pixels of this window
+float unit(float pixels);  // pixels at UI scale 1 as pixels of this window
 void textDim(std::string_view text);
-void textMono(std::string_view text);                  // a number
-void factRow(const char* label, std::string_view value, const char* unitName = "");   // "label      value unit", value in mono
-bool factLink(const char* label, std::string_view value);                              // the same, the value a link: true when clicked
-bool link(std::string_view text, const char* id);      // a number that names a thing; true when clicked
+void textMono(std::string_view text);                                                // a number
+void factRow(const char* label, std::string_view value, const char* unitName = "");  // "label      value unit", value in mono
+bool factLink(const char* label, std::string_view value);                            // the same, the value a link: true when clicked
+bool link(std::string_view text, const char* id);                                    // a number that names a thing; true when clicked
 bool keyButton(const char* label, const char* key, bool enabled = true, const char* whyNot = "");  // "Next hole  N"
-float drawKeyCap(ImVec2 low, const char* key, bool enabled = true);  // a key as it is printed, with its upper left corner there; returns its width
-void whyTooltip(const char* text);                     // of the item before, hovered, also when disabled
+float drawKeyCap(ImVec2 low, const char* key,
+                 bool enabled = true);                   // a key as it is printed, with its upper left corner there; returns its width
+void whyTooltip(const char* text);                       // of the item before, hovered, also when disabled
 void swatch(uint32_t darkColour, bool hatched = false);  // a small square before a word
-bool sectionHeader(const char* title, std::string_view right = "", bool openAtFirst = true);  // a collapsing section with a value at the right
+bool sectionHeader(const char* title, std::string_view right = "",
+                   bool openAtFirst = true);  // a collapsing section with a value at the right
 // The same with a small "CSV" at its right end; `csv` becomes true when that was clicked. `rows`: of the table below it, 0 leaves it out.
 bool tableSection(const char* title, std::string_view right, size_t rows, bool& csv);
-void emptyState(const char* sentence);                 // one dim sentence with the action
+void emptyState(const char* sentence);  // one dim sentence with the action
 
 }  // namespace gridscope

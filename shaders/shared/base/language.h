@@ -19,18 +19,18 @@
 namespace gridscope {
 
 using uint = uint32_t;
+using glm::abs;
+using glm::clamp;
+using glm::floor;
 using glm::ivec2;
 using glm::ivec3;
+using glm::max;
+using glm::min;
 using glm::uvec2;
 using glm::uvec3;
 using glm::vec2;
 using glm::vec3;
 using glm::vec4;
-using glm::abs;
-using glm::clamp;
-using glm::floor;
-using glm::max;
-using glm::min;
 
 SHARED uint floatBitsToUint(float value) { return std::bit_cast<uint>(value); }
 SHARED float uintBitsToFloat(uint bits) { return std::bit_cast<float>(bits); }
@@ -64,9 +64,7 @@ SHARED float stored(float value) { return abs(value) < kTiny ? 0.0f : value; }
 
 // Sums written out: the built-in dot() is fused on some devices.
 SHARED float dotExact(vec3 a, vec3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-SHARED vec3 crossExact(vec3 a, vec3 b) {
-  return vec3(a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x);
-}
+SHARED vec3 crossExact(vec3 a, vec3 b) { return vec3(a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x); }
 
 END_SHARED
 

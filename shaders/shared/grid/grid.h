@@ -29,8 +29,7 @@ SHARED ivec3 gridCell(GridParameters grid, vec3 point) {
 }
 
 SHARED bool gridContains(GridParameters grid, ivec3 cell) {
-  return cell.x >= 0 && cell.y >= 0 && cell.z >= 0 && cell.x < grid.cellCount.x && cell.y < grid.cellCount.y &&
-         cell.z < grid.cellCount.z;
+  return cell.x >= 0 && cell.y >= 0 && cell.z >= 0 && cell.x < grid.cellCount.x && cell.y < grid.cellCount.y && cell.z < grid.cellCount.z;
 }
 
 // World coordinate of the face of a cell with the lower coordinate.

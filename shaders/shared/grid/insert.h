@@ -59,8 +59,7 @@ SHARED InsertResult insertReference(GridParameters grid, ivec3 cell, uint refere
 }
 
 // Offers a triangle to the cells [begin, end) of its range and adds what happened to the report.
-SHARED void insertTriangle(GridParameters grid, Triangle triangle, uint reference, CellRange range, uvec2 part,
-                           INOUT(BuildReport) report) {
+SHARED void insertTriangle(GridParameters grid, Triangle triangle, uint reference, CellRange range, uvec2 part, INOUT(BuildReport) report) {
   vec3 normal = triangleNormal(triangle);
   for (uint index = part.x; index < part.y; ++index) {
     ivec3 cell = cellRangeCell(range, index);

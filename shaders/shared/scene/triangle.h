@@ -62,9 +62,7 @@ SHARED bool planeMeetsCell(GridParameters grid, Triangle triangle, vec3 normal, 
 }
 
 // Are the projections of triangle (three values) and cube (-radius..radius) on an axis apart?
-SHARED bool projectionsApart(float a, float b, float c, float radius) {
-  return min(a, min(b, c)) > radius || max(a, max(b, c)) < -radius;
-}
+SHARED bool projectionsApart(float a, float b, float c, float radius) { return min(a, min(b, c)) > radius || max(a, max(b, c)) < -radius; }
 
 // The three axes edge x (x, y, z unit vectors). a, b, c are the corners relative to the cube's centre.
 SHARED bool edgeSeparates(vec3 edge, vec3 a, vec3 b, vec3 c, float halfEdge) {
@@ -73,7 +71,8 @@ SHARED bool edgeSeparates(vec3 edge, vec3 a, vec3 b, vec3 c, float halfEdge) {
     return true;
   if (projectionsApart(edge.x * a.z - edge.z * a.x, edge.x * b.z - edge.z * b.x, edge.x * c.z - edge.z * c.x, halfEdge * (size.x + size.z)))
     return true;
-  return projectionsApart(edge.y * a.x - edge.x * a.y, edge.y * b.x - edge.x * b.y, edge.y * c.x - edge.x * c.y, halfEdge * (size.y + size.x));
+  return projectionsApart(edge.y * a.x - edge.x * a.y, edge.y * b.x - edge.x * b.y, edge.y * c.x - edge.x * c.y,
+                          halfEdge * (size.y + size.x));
 }
 
 // Does the triangle meet the enlarged cube? Separating axes: Akenine-Moeller, Fast 3D Triangle-Box Overlap Testing, 2001.
@@ -96,13 +95,13 @@ SHARED bool cellTakesTriangle(GridParameters grid, Triangle triangle, vec3 norma
 }
 
 // What the ray test says of one triangle; the names are what a person reads in the ray's steps.
-const uint kTestHit = 0u;        // inside the triangle and inside the window
-const uint kTestParallel = 1u;   // the ray runs along the triangle's plane
-const uint kTestOutside = 2u;    // passes beside the triangle
-const uint kTestBefore = 3u;     // hits it before the window
-const uint kTestBeyond = 4u;     // hits it beyond the window
-const uint kTestAlpha = 5u;      // turned down by the alpha map
-const uint kTestFarther = 6u;    // hits, but another hit of the cell is nearer
+const uint kTestHit = 0u;       // inside the triangle and inside the window
+const uint kTestParallel = 1u;  // the ray runs along the triangle's plane
+const uint kTestOutside = 2u;   // passes beside the triangle
+const uint kTestBefore = 3u;    // hits it before the window
+const uint kTestBeyond = 4u;    // hits it beyond the window
+const uint kTestAlpha = 5u;     // turned down by the alpha map
+const uint kTestFarther = 6u;   // hits, but another hit of the cell is nearer
 
 struct TriangleTest {
   uint verdict;

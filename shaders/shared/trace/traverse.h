@@ -202,7 +202,8 @@ struct FoundSegment {
 };
 
 // Takes segments until one starts in a cell that holds references: most are empty, and cost one read.
-SHARED FoundSegment nextSegment(GridParameters grid, TraceParameters trace, Ray ray, ivec2 span, INOUT(TraceState) state, INOUT(uint) taken) {
+SHARED FoundSegment nextSegment(GridParameters grid, TraceParameters trace, Ray ray, ivec2 span, INOUT(TraceState) state,
+                                INOUT(uint) taken) {
   FoundSegment found;
   found.kind = kHitUnfinished;
   found.start = 0.0f;
@@ -319,7 +320,9 @@ SHARED uint nextCell(GridParameters grid, TraceParameters trace, Ray ray, vec3 i
   while (taken < trace.segmentsPerPass) {
     taken += 1u;
     if (!gridContains(grid, state.cell) || (state.reference != kBlank && state.t <= state.enter)) {
-      if (!gridContains(grid, state.cell)) { ON_SEGMENT(state.segment, state.enter, state.cell, kStepOutside); }
+      if (!gridContains(grid, state.cell)) {
+        ON_SEGMENT(state.segment, state.enter, state.cell, kStepOutside);
+      }
       return kHitMiss;
     }
     if (uint(state.segment) >= trace.maxSegments) return kHitLimit;
