@@ -34,10 +34,6 @@ TestedDevice testDevice(const DeviceReport& report, size_t index, bool validatio
   return device;
 }
 
-std::string versionText(uint32_t version) {
-  return printed("%u.%u.%u", VK_API_VERSION_MAJOR(version), VK_API_VERSION_MINOR(version), VK_API_VERSION_PATCH(version));
-}
-
 uint64_t largestGridBytes(const DeviceReport& report) {
   return std::min({report.maxImageBytes, report.maxAllocationBytes, report.deviceMemoryBytes});
 }
@@ -62,8 +58,7 @@ void printDevice(std::FILE* out, const TestedDevice& device, size_t index) {
   auto yesNo = [](bool yes, const char* without) { return yes ? std::string("yes") : std::string("no: ") + without; };
   std::fprintf(out, "%zu  %s\n", index, report.name.c_str());
   Table table("ll");
-  table.add(
-      {"   driver", report.driver + ", Vulkan " + versionText(report.apiVersion) + (report.softwareDevice ? ", on the CPU's cores" : "")});
+  table.add({"   driver", report.driver + ", Vulkan " + report.apiVersionText + (report.softwareDevice ? ", on the CPU's cores" : "")});
   table.add({"   can be used", yesNo(report.refusal.empty(), report.refusal.c_str())});
   table.add({"   geometry stage", yesNo(report.geometryStage, "--builder compute only")});
   table.add({"   image atomics", yesNo(report.imageAtomics, "required")});
@@ -86,7 +81,7 @@ Json deviceJson(const TestedDevice& device, size_t index) {
   return {{"index", index},
           {"device", report.name},
           {"driver", report.driver},
-          {"vulkan", versionText(report.apiVersion)},
+          {"vulkan", report.apiVersionText},
           {"software", report.softwareDevice},
           {"refusal", report.refusal},
           {"geometryStage", report.geometryStage},

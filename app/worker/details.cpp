@@ -7,6 +7,7 @@
 #include "app/worker/maker.h"
 #include "app/worker/shader_compiler.h"
 #include "app/worker/work.h"
+#include "core/base/error.h"
 #include "core/gpu/shader_code.h"
 #include "core/pipeline/frame_capture.h"
 #include "core/trace/invariants_frame.h"

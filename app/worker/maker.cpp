@@ -9,6 +9,7 @@
 #include "app/frame/scene_edits.h"
 #include "app/report/report.h"
 #include "app/worker/work.h"
+#include "core/base/error.h"
 #include "core/pipeline/frame_capture.h"
 
 namespace gridscope {

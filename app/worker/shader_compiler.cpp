@@ -12,6 +12,7 @@
 #include <sstream>
 
 #include "core/gpu/shader_code.h"
+#include "core/gpu/shader_facts.h"
 
 namespace gridscope {
 

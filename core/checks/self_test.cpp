@@ -3,11 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 #include "core/checks/cpu_check.h"
-#include "core/gpu/program.h"
+#include "core/gpu/run_pass.h"
 #include "core/scene/built_in_scenes.h"
 #include "shaders/shared/checks/self_test.h"
+#include "shaders/shared/pipeline/bindings.h"
 
 namespace gridscope {
 namespace {
@@ -56,16 +58,15 @@ std::vector<Triangle> randomTriangles() {
 }
 
 std::vector<SelfTestWords> runOperations(GpuContext& gpu, std::span<const Triangle> triangles) {
-  GpuPrograms programs(gpu);
-  GpuBuffer input(gpu, "self-test input", triangles.size_bytes());
-  GpuBuffer output(gpu, "self-test results", triangles.size() * sizeof(SelfTestWords));
-  programs.bind(kBindObjectTriangles, input);
-  programs.bind(kBindRayRecord, output);
-  upload(gpu, input, triangles);
-  GpuCommands commands(gpu);
-  programs.dispatch(commands, "self_test", {int(triangles.size()), 1, 1});
-  commands.run();
-  return download<SelfTestWords>(gpu, output, triangles.size());
+  const std::vector<std::byte> bytes = runPass(gpu, {.stem = "self_test",
+                                                     .invocations = uint32_t(triangles.size()),
+                                                     .inputBinding = kBindObjectTriangles,
+                                                     .input = std::as_bytes(triangles),
+                                                     .outputBinding = kBindRayRecord,
+                                                     .outputBytes = triangles.size() * sizeof(SelfTestWords)});
+  std::vector<SelfTestWords> results(triangles.size());
+  std::memcpy(results.data(), bytes.data(), bytes.size());
+  return results;
 }
 
 void compareOperations(GpuContext& gpu, SelfTestResult& result) {

@@ -65,27 +65,28 @@ uint64_t largestPart(const std::vector<ImagePart>& parts) {
 
 }  // namespace
 
-GpuCommands::GpuCommands(GpuContext& gpu) : gpu_(gpu) {
+VKAPI_ATTR void VKAPI_CALL GpuCommands::freeCommands(PoolOfDevice parent, VkCommandBuffer commands, const VkAllocationCallbacks*) {
+  vkFreeCommandBuffers(parent.device, parent.pool, 1, &commands);
+}
+
+GpuCommands::GpuCommands(const GpuDevice& gpu) : gpu_(gpu) {
   VkCommandBufferAllocateInfo info{VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO};
   info.commandPool = gpu.commandPool();
   info.level = VK_COMMAND_BUFFER_LEVEL_PRIMARY;
   info.commandBufferCount = 1;
-  VK_CHECK(vkAllocateCommandBuffers(gpu.device(), &info, &commands_));
-  if (gpu.report().timestamps) {
+  VkCommandBuffer commands = VK_NULL_HANDLE;
+  VK_CHECK(vkAllocateCommandBuffers(gpu.handle(), &info, &commands));
+  commands_ = {{gpu.handle(), gpu.commandPool()}, commands, freeCommands};
+  if (gpu.timestampPeriodNs() > 0.0f) {
     VkQueryPoolCreateInfo pool{VK_STRUCTURE_TYPE_QUERY_POOL_CREATE_INFO};
     pool.queryType = VK_QUERY_TYPE_TIMESTAMP;
     pool.queryCount = 2 * kMostPasses;
-    VK_CHECK(vkCreateQueryPool(gpu.device(), &pool, nullptr, &queries_));
+    queries_ = gpu.make(pool, "timestamps");
   }
   VkCommandBufferBeginInfo begin{VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO};
   begin.flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT;
-  VK_CHECK(vkBeginCommandBuffer(commands_, &begin));
-  if (queries_) vkCmdResetQueryPool(commands_, queries_, 0, 2 * kMostPasses);
-}
-
-GpuCommands::~GpuCommands() {
-  vkDestroyQueryPool(gpu_.device(), queries_, nullptr);
-  vkFreeCommandBuffers(gpu_.device(), gpu_.commandPool(), 1, &commands_);
+  VK_CHECK(vkBeginCommandBuffer(commands, &begin));
+  if (queries_) vkCmdResetQueryPool(commands, queries_.get(), 0, 2 * kMostPasses);
 }
 
 void GpuCommands::barrier() {
@@ -96,7 +97,7 @@ void GpuCommands::barrier() {
   VkDependencyInfo info{VK_STRUCTURE_TYPE_DEPENDENCY_INFO};
   info.memoryBarrierCount = 1;
   info.pMemoryBarriers = &memory;
-  vkCmdPipelineBarrier2(commands_, &info);
+  vkCmdPipelineBarrier2(handle(), &info);
 }
 
 void GpuCommands::layout(const GpuImage& image, VkImageLayout from, VkImageLayout to) {
@@ -112,58 +113,51 @@ void GpuCommands::layout(const GpuImage& image, VkImageLayout from, VkImageLayou
   VkDependencyInfo info{VK_STRUCTURE_TYPE_DEPENDENCY_INFO};
   info.imageMemoryBarrierCount = 1;
   info.pImageMemoryBarriers = &memory;
-  vkCmdPipelineBarrier2(commands_, &info);
+  vkCmdPipelineBarrier2(handle(), &info);
 }
 
 // A barrier right behind each timestamp keeps values from shifting by one dispatch on lavapipe.
 void GpuCommands::pass(const std::string& name, const std::function<void()>& body) {
-  bool labelled = gpu_.validated() && vkCmdBeginDebugUtilsLabelEXT;
-  if (labelled) {
-    VkDebugUtilsLabelEXT label{VK_STRUCTURE_TYPE_DEBUG_UTILS_LABEL_EXT};
-    label.pLabelName = name.c_str();
-    vkCmdBeginDebugUtilsLabelEXT(commands_, &label);
-  }
+  GpuLabel label(gpu_, handle(), name);
   bool timed = queries_ && passes_.size() < kMostPasses;
   if (timed) {
-    vkCmdWriteTimestamp2(commands_, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, queries_, uint32_t(2 * passes_.size()));
+    vkCmdWriteTimestamp2(handle(), VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, queries_.get(), uint32_t(2 * passes_.size()));
     barrier();
   }
   body();
   barrier();
   if (timed) {
-    vkCmdWriteTimestamp2(commands_, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, queries_, uint32_t(2 * passes_.size() + 1));
+    vkCmdWriteTimestamp2(handle(), VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, queries_.get(), uint32_t(2 * passes_.size() + 1));
     barrier();
     passes_.push_back(name);
   }
-  if (labelled) vkCmdEndDebugUtilsLabelEXT(commands_);
 }
 
 PassTimes GpuCommands::run() {
-  VK_CHECK(vkEndCommandBuffer(commands_));
+  VK_CHECK(vkEndCommandBuffer(handle()));
   VkFenceCreateInfo fenceInfo{VK_STRUCTURE_TYPE_FENCE_CREATE_INFO};
-  VkFence fence = VK_NULL_HANDLE;
-  VK_CHECK(vkCreateFence(gpu_.device(), &fenceInfo, nullptr, &fence));
+  Owned<VkFence> done = gpu_.make(fenceInfo, "commands done");
   VkCommandBufferSubmitInfo commands{VK_STRUCTURE_TYPE_COMMAND_BUFFER_SUBMIT_INFO};
-  commands.commandBuffer = commands_;
+  commands.commandBuffer = handle();
   VkSubmitInfo2 submit{VK_STRUCTURE_TYPE_SUBMIT_INFO_2};
   submit.commandBufferInfoCount = 1;
   submit.pCommandBufferInfos = &commands;
-  VkResult result = vkQueueSubmit2(gpu_.queue(), 1, &submit, fence);
-  if (result == VK_SUCCESS) result = vkWaitForFences(gpu_.device(), 1, &fence, VK_TRUE, UINT64_MAX);
-  vkDestroyFence(gpu_.device(), fence, nullptr);
-  checkVulkan(result, "vkQueueSubmit2");
+  VK_CHECK(vkQueueSubmit2(gpu_.queue(), 1, &submit, done.get()));
+  const VkResult waited = vkWaitForFences(gpu_.handle(), 1, done.address(), VK_TRUE, UINT64_MAX);
+  if (waited != VK_SUCCESS) vkQueueWaitIdle(gpu_.queue());  // nothing that the commands use may go while they run
+  checkVulkan(waited, "vkWaitForFences");
 
   PassTimes times;
   if (passes_.empty()) return times;
   std::vector<uint64_t> ticks(2 * passes_.size());
-  VK_CHECK(vkGetQueryPoolResults(gpu_.device(), queries_, 0, uint32_t(ticks.size()), ticks.size() * sizeof(uint64_t), ticks.data(),
+  VK_CHECK(vkGetQueryPoolResults(gpu_.handle(), queries_.get(), 0, uint32_t(ticks.size()), ticks.size() * sizeof(uint64_t), ticks.data(),
                                  sizeof(uint64_t), VK_QUERY_RESULT_64_BIT | VK_QUERY_RESULT_WAIT_BIT));
   for (size_t i = 0; i < passes_.size(); ++i)
     times[passes_[i]] += double(ticks[2 * i + 1] - ticks[2 * i]) * gpu_.timestampPeriodNs() * 1e-6;
   return times;
 }
 
-void uploadBytes(GpuContext& gpu, const GpuBuffer& target, std::span<const std::byte> bytes, uint64_t offset) {
+void uploadBytes(const GpuDevice& gpu, const GpuBuffer& target, std::span<const std::byte> bytes, uint64_t offset) {
   CHECK_LE(offset + bytes.size(), target.byteCount());
   if (bytes.empty()) return;
   GpuBuffer staging(gpu, "upload", std::min<uint64_t>(bytes.size(), kCopyBytes), BufferMemory::upload);
@@ -178,7 +172,7 @@ void uploadBytes(GpuContext& gpu, const GpuBuffer& target, std::span<const std::
   }
 }
 
-void downloadBytes(GpuContext& gpu, const GpuBuffer& source, std::span<std::byte> bytes, uint64_t offset) {
+void downloadBytes(const GpuDevice& gpu, const GpuBuffer& source, std::span<std::byte> bytes, uint64_t offset) {
   CHECK_LE(offset + bytes.size(), source.byteCount());
   if (bytes.empty()) return;
   GpuBuffer staging(gpu, "download", std::min<uint64_t>(bytes.size(), kCopyBytes), BufferMemory::readback);
@@ -194,7 +188,7 @@ void downloadBytes(GpuContext& gpu, const GpuBuffer& source, std::span<std::byte
   }
 }
 
-void uploadImage(GpuContext& gpu, const GpuImage& target, std::span<const std::byte> bytes) {
+void uploadImage(const GpuDevice& gpu, const GpuImage& target, std::span<const std::byte> bytes) {
   std::vector<ImagePart> parts = imageParts(target.shape());
   GpuBuffer staging(gpu, "upload", largestPart(parts), BufferMemory::upload);
   for (const ImagePart& part : parts) {
@@ -209,7 +203,7 @@ void uploadImage(GpuContext& gpu, const GpuImage& target, std::span<const std::b
   }
 }
 
-void downloadImage(GpuContext& gpu, const GpuImage& source, std::span<std::byte> bytes) {
+void downloadImage(const GpuDevice& gpu, const GpuImage& source, std::span<std::byte> bytes) {
   std::vector<ImagePart> parts = imageParts(source.shape());
   GpuBuffer staging(gpu, "download", largestPart(parts), BufferMemory::readback);
   for (const ImagePart& part : parts) {

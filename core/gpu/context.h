@@ -1,4 +1,5 @@
-// The Vulkan device: choosing one, what it can and can't do for us, and the queue that everything runs on.
+// A Vulkan device that frames are made on: which there are, choosing one, what it can and can't do for us. What Vulkan calls it by is in
+// device.h, for this folder alone.
 #pragma once
 
 #include <cstdint>
@@ -6,18 +7,19 @@
 #include <string>
 #include <vector>
 
-#include <volk.h>
-
-#include "core/base/error.h"
-#include "core/grid/derive.h"
+#include "core/gpu/pass_limits.h"
 
 namespace gridscope {
+
+class GpuDevice;
+class GpuInstance;
 
 // What a device can do for us.
 struct DeviceReport {
   std::string name;
   std::string driver;               // name and version
-  uint32_t apiVersion = 0;          // VK_MAKE_API_VERSION
+  uint32_t apiVersion = 0;          // packed
+  std::string apiVersionText;       // "1.3.230"
   bool softwareDevice = false;      // runs on the CPU's cores (lavapipe)
   bool geometryStage = false;       // geometry shaders with stores: the raster builder
   bool imageAtomics = false;        // 3D r32ui storage image with atomics: required
@@ -33,6 +35,7 @@ struct DeviceReport {
   uint64_t deviceMemoryBytes = 0;  // largest device-local heap
   uint32_t maxImageArrayLayers = 0;
   uint32_t maxImage2DSide = 0;
+  PassLimits passLimits;
   std::string refusal;  // why it can't be used; empty: it can
 };
 
@@ -44,6 +47,9 @@ struct GpuOptions {
 // All Vulkan devices of this machine, in the loader's order. Empty when there is no Vulkan loader or no driver.
 std::vector<DeviceReport> listDevices();
 
+// Validation messages of the whole process, also of devices that are gone: what outlives its device is told as that ends.
+uint32_t allValidationMessages();
+
 class GpuContext {
  public:
   // Throws Error: kExitBadInput for an unknown name, kExitDevice when no device can be used.
@@ -52,45 +58,14 @@ class GpuContext {
   GpuContext(const GpuContext&) = delete;
   GpuContext& operator=(const GpuContext&) = delete;
 
-  const DeviceReport& report() const { return report_; }
-  GridLimits gridLimits() const;
-  VkDevice device() const { return device_; }
-  VkQueue queue() const { return queue_; }
-  uint32_t queueFamily() const { return queueFamily_; }
-  VkCommandPool commandPool() const { return commandPool_; }
-  VkPhysicalDevice physicalDevice() const { return physicalDevice_; }
-  VkInstance instance() const { return instance_; }
-  float timestampPeriodNs() const { return timestampPeriodNs_; }
-  bool validated() const { return messenger_ != VK_NULL_HANDLE; }
-  uint32_t validationMessages() const { return validationMessages_; }
-
-  // Index of a memory type with these properties; throws when the device has none.
-  uint32_t memoryType(uint32_t typeBits, VkMemoryPropertyFlags properties) const;
-  // Names an object for debuggers and validation messages.
-  void name(VkObjectType type, uint64_t handle, const std::string& text) const;
+  const DeviceReport& report() const;
+  bool validated() const;
+  uint32_t validationMessages() const;
+  GpuDevice& device() { return *device_; }
 
  private:
-  void createInstance(bool validation);
-  void createDevice();
-
-  DeviceReport report_;
-  VkInstance instance_ = VK_NULL_HANDLE;
-  VkDebugUtilsMessengerEXT messenger_ = VK_NULL_HANDLE;
-  VkPhysicalDevice physicalDevice_ = VK_NULL_HANDLE;
-  VkDevice device_ = VK_NULL_HANDLE;
-  VkQueue queue_ = VK_NULL_HANDLE;
-  uint32_t queueFamily_ = 0;
-  VkCommandPool commandPool_ = VK_NULL_HANDLE;
-  float timestampPeriodNs_ = 0.0f;
-  uint32_t validationMessages_ = 0;
+  std::unique_ptr<GpuInstance> instance_;
+  std::unique_ptr<GpuDevice> device_;
 };
 
-// Text of a result, "VK_ERROR_DEVICE_LOST" say.
-const char* resultName(VkResult result);
-
-// Throws Error (kExitDevice) that names the call and its result.
-void checkVulkan(VkResult result, const char* call);
-
 }  // namespace gridscope
-
-#define VK_CHECK(call) ::gridscope::checkVulkan((call), #call)

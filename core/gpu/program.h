@@ -1,83 +1,76 @@
-// Pipelines of the passes, and the one descriptor set that all of them use. A pass, its shader, its pipeline, its label and its timer share
-// one stem.
+// The passes over one table of bindings: each is made when it is first asked for, once for each set of constants that it is specialized by.
+// A pass, its shader, its pipeline, its label and its timer share one stem.
 #pragma once
 
+#include <functional>
 #include <map>
+#include <span>
 #include <string>
-#include <string_view>
+#include <vector>
 
 #include "core/gpu/commands.h"
-#include "shaders/shared/pipeline/bindings.h"
-#include "shaders/shared/pipeline/parameters.h"
+#include "core/gpu/pass.h"
+#include "shaders/shared/base/language.h"
 
 namespace gridscope {
 
 class GpuPrograms {
  public:
-  explicit GpuPrograms(GpuContext& gpu);
-  ~GpuPrograms();
+  explicit GpuPrograms(const GpuDevice& gpu) : gpu_(gpu), bound_(gpu) {}
   GpuPrograms(const GpuPrograms&) = delete;
   GpuPrograms& operator=(const GpuPrograms&) = delete;
 
-  // Fills one binding. Until then it holds a placeholder: lavapipe looks at every binding of a set, touched by the pass or not.
-  void bind(int binding, const GpuBuffer& buffer);
-  void bind(int binding, const GpuImage& image, VkSampler sampler = VK_NULL_HANDLE);
+  const GpuDevice& gpu() const { return gpu_; }
+  BoundResources& bound() { return bound_; }
 
-  // Constants that pipelines made or found from now on are specialized for.
-  void specialize(const SpecializedSettings& settings) { specialized_ = settings; }
+  // Constants that passes recorded from now on are specialized for; the others stay.
+  void specialize(const ShaderConstants& constants);
 
-  // Makes every pass of the program from its present shader. Throws Error for the first that the device refuses.
-  void makeAll(VkFormat colour, VkFormat depth);
+  // Makes a pass from its present shader. Throws Error when the device refuses it.
+  void make(const PassDescription& description) { variant(description); }
 
-  // Records one workgroup of a pass with zeroed push constants: drivers compile at the first dispatch. True when the pass was cold.
+  // Records one workgroup of a compute pass with zeroed push constants: drivers compile at the first dispatch. True when the pass was cold.
   bool warm(GpuCommands& commands, const std::string& stem);
 
   // Records a dispatch that covers `invocations` along x, y and z. `arguments`: the pass' push constants, as many bytes as it declares.
   void dispatch(GpuCommands& commands, const std::string& stem, ivec3 invocations, std::span<const std::byte> arguments = {});
-  // Records a dispatch whose workgroup counts lie in `buffer` at `offset`.
-  void dispatchIndirect(GpuCommands& commands, const std::string& stem, const GpuBuffer& buffer, uint64_t offset,
+  // Records a dispatch whose workgroup counts lie in the buffer at `countsBinding`, from `offset` on.
+  void dispatchIndirect(GpuCommands& commands, const std::string& stem, int countsBinding, uint64_t offset,
                         std::span<const std::byte> arguments = {});
+  // Records that the buffer at a binding is filled with zeros.
+  void zero(GpuCommands& commands, int binding);
 
-  // Graphics passes: bind one, then draw. raster: no attachment, nothing is rasterized.
-  void bindBuildRaster(GpuCommands& commands);
-  void bindGather(GpuCommands& commands, VkFormat colour, VkFormat depth, VkExtent2D extent);
+  // Records the draws of a graphics pass over `extent`, inside a rendering that the caller has begun.
+  void draw(GpuCommands& commands, const PassDescription& description, VkExtent2D extent, const std::function<void()>& draws);
+
+  // To and from the buffer at a binding. Counts are the caller's to get right.
+  template <typename T>
+  std::vector<T> read(int binding, size_t count) const {
+    return download<T>(gpu_, bound_.buffer(binding), count);
+  }
+  template <typename T>
+  void write(int binding, std::span<const T> values) {
+    upload(gpu_, bound_.buffer(binding), values);
+  }
 
  private:
-  struct Program {
-    VkPipeline pipeline = VK_NULL_HANDLE;
-    uint32_t localSize[3] = {1, 1, 1};
-    uint32_t pushConstantBytes = 0;
+  struct Variant {
+    GpuPass pass;
     bool warm = false;  // dispatched before
+    Variant(const GpuDevice& gpu, const PassDescription& description, const ShaderConstants& constants)
+        : pass(gpu, description, constants) {}
+  };
+  struct Variants {
+    std::vector<uint32_t> constants;             // ids that the pass is specialized by
+    std::map<ShaderConstants, Variant> byValue;  // of those; what is not given keeps the shader's own value
   };
 
-  struct GraphicsState;
-  struct GraphicsStage {
-    VkShaderStageFlagBits stage;
-    const char* ending;  // of the shader's stem, behind the pass' own
-  };
+  Variant& variant(const PassDescription& description);
 
-  void writeDescriptor(int binding, const VkDescriptorBufferInfo* buffer, const VkDescriptorImageInfo* image);
-  void bindPlaceholders();
-  std::string key(const std::string& stem) const;  // of a pass with the present constants
-  VkShaderModule makeModule(const std::string& stem);
-  Program& program(const std::string& stem);
-  void begin(GpuCommands& commands, const Program& program, const std::string& stem, std::span<const std::byte> arguments);
-  VkPipeline graphics(const std::string& stem, std::initializer_list<GraphicsStage> stages, GraphicsState& state);
-  VkPipeline buildRaster();
-  VkPipeline gather(VkFormat colour, VkFormat depth);
-  void bindGraphics(GpuCommands& commands, VkPipeline pipeline);
-
-  GpuContext& gpu_;
-  VkDescriptorSetLayout setLayout_ = VK_NULL_HANDLE;
-  VkPipelineLayout layout_ = VK_NULL_HANDLE;
-  VkDescriptorPool pool_ = VK_NULL_HANDLE;
-  VkDescriptorSet set_ = VK_NULL_HANDLE;
-  GpuBuffer placeholder_;
-  GpuImage placeholderImages_[3];  // of the three image bindings
-  VkSampler placeholderSampler_ = VK_NULL_HANDLE;
-  SpecializedSettings specialized_{};
-  std::map<std::string, Program> programs_;     // by key()
-  std::map<std::string, VkPipeline> graphics_;  // likewise
+  const GpuDevice& gpu_;
+  BoundResources bound_;
+  ShaderConstants constants_;
+  std::map<std::string, Variants> variants_;  // by stem
 };
 
 // The bytes of a structure, for push constants.

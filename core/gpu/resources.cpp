@@ -6,20 +6,6 @@
 namespace gridscope {
 namespace {
 
-VkDeviceMemory allocate(const GpuContext& gpu, const std::string& name, const VkMemoryRequirements& needs,
-                        VkMemoryPropertyFlags properties) {
-  VkMemoryAllocateInfo info{VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO};
-  info.allocationSize = needs.size;
-  info.memoryTypeIndex = gpu.memoryType(needs.memoryTypeBits, properties);
-  VkDeviceMemory memory = VK_NULL_HANDLE;
-  VkResult result = vkAllocateMemory(gpu.device(), &info, nullptr, &memory);
-  if (result != VK_SUCCESS)
-    throw Error(gpu.report().name + " has no " + std::to_string(needs.size >> 20) + " MiB left for the " + name + " (" +
-                    resultName(result) + "); take fewer --cells, a smaller --capacity or a smaller --size",
-                kExitDevice);
-  return memory;
-}
-
 VkMemoryPropertyFlags memoryProperties(BufferMemory memory) {
   switch (memory) {
     case BufferMemory::device: return VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT;
@@ -32,8 +18,8 @@ VkMemoryPropertyFlags memoryProperties(BufferMemory memory) {
 
 }  // namespace
 
-GpuBuffer::GpuBuffer(const GpuContext& gpu, const std::string& name, uint64_t byteCount, BufferMemory memory)
-    : device_(gpu.device()), byteCount_(std::max<uint64_t>(byteCount, 4)) {
+GpuBuffer::GpuBuffer(const GpuDevice& gpu, const std::string& name, uint64_t byteCount, BufferMemory memory)
+    : byteCount_(std::max<uint64_t>(byteCount, 4)) {
   uint64_t most = memory == BufferMemory::device ? gpu.report().maxStorageBufferBytes : gpu.report().maxAllocationBytes;
   if (byteCount_ > most)
     throw Error("the " + name + " would take " + std::to_string(byteCount_) + " bytes, but a buffer of " + gpu.report().name + " holds " +
@@ -43,34 +29,27 @@ GpuBuffer::GpuBuffer(const GpuContext& gpu, const std::string& name, uint64_t by
   info.size = byteCount_;
   info.usage = VK_BUFFER_USAGE_TRANSFER_SRC_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT;
   if (memory == BufferMemory::device) info.usage |= VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT;
-  VK_CHECK(vkCreateBuffer(device_, &info, nullptr, &buffer_));
-  gpu.name(VK_OBJECT_TYPE_BUFFER, uint64_t(buffer_), name);
+  buffer_ = gpu.make(info, name);
 
   VkMemoryRequirements needs;
-  vkGetBufferMemoryRequirements(device_, buffer_, &needs);
-  memory_ = allocate(gpu, name, needs, memoryProperties(memory));
-  VK_CHECK(vkBindBufferMemory(device_, buffer_, memory_, 0));
+  vkGetBufferMemoryRequirements(gpu.handle(), handle(), &needs);
+  memory_ = gpu.allocate(needs, memoryProperties(memory), name);
+  VK_CHECK(vkBindBufferMemory(gpu.handle(), handle(), memory_.get(), 0));
   if (memory == BufferMemory::device) return;
   void* mapped = nullptr;
-  VK_CHECK(vkMapMemory(device_, memory_, 0, VK_WHOLE_SIZE, 0, &mapped));
+  VK_CHECK(vkMapMemory(gpu.handle(), memory_.get(), 0, VK_WHOLE_SIZE, 0, &mapped));
   mapped_ = static_cast<std::byte*>(mapped);
 }
 
-GpuBuffer::~GpuBuffer() {
-  if (!device_) return;
-  vkDestroyBuffer(device_, buffer_, nullptr);
-  vkFreeMemory(device_, memory_, nullptr);
-}
-
-void GpuBuffer::swap(GpuBuffer& other) noexcept {
-  std::swap(device_, other.device_);
-  std::swap(buffer_, other.buffer_);
-  std::swap(memory_, other.memory_);
+GpuBuffer& GpuBuffer::operator=(GpuBuffer other) noexcept {
   std::swap(byteCount_, other.byteCount_);
+  std::swap(memory_, other.memory_);
+  std::swap(buffer_, other.buffer_);
   std::swap(mapped_, other.mapped_);
+  return *this;
 }
 
-GpuImage::GpuImage(const GpuContext& gpu, const std::string& name, const ImageShape& shape) : device_(gpu.device()), shape_(shape) {
+GpuImage::GpuImage(const GpuDevice& gpu, const std::string& name, const ImageShape& shape) : shape_(shape) {
   VkImageCreateInfo info{VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO};
   info.imageType = shape.type;
   info.format = shape.format;
@@ -79,36 +58,27 @@ GpuImage::GpuImage(const GpuContext& gpu, const std::string& name, const ImageSh
   info.arrayLayers = shape.layers;
   info.samples = VK_SAMPLE_COUNT_1_BIT;
   info.usage = shape.usage;
-  VK_CHECK(vkCreateImage(device_, &info, nullptr, &image_));
-  gpu.name(VK_OBJECT_TYPE_IMAGE, uint64_t(image_), name);
+  image_ = gpu.make(info, name);
 
   VkMemoryRequirements needs;
-  vkGetImageMemoryRequirements(device_, image_, &needs);
-  memory_ = allocate(gpu, name, needs, VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT);
-  VK_CHECK(vkBindImageMemory(device_, image_, memory_, 0));
+  vkGetImageMemoryRequirements(gpu.handle(), handle(), &needs);
+  memory_ = gpu.allocate(needs, VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT, name);
+  VK_CHECK(vkBindImageMemory(gpu.handle(), handle(), memory_.get(), 0));
 
   VkImageViewCreateInfo view{VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO};
-  view.image = image_;
+  view.image = handle();
   view.viewType = shape.viewType;
   view.format = shape.format;
   view.subresourceRange = {shape.aspect, 0, shape.levels, 0, shape.layers};
-  VK_CHECK(vkCreateImageView(device_, &view, nullptr, &view_));
-  gpu.name(VK_OBJECT_TYPE_IMAGE_VIEW, uint64_t(view_), name);
+  view_ = gpu.make(view, name);
 }
 
-GpuImage::~GpuImage() {
-  if (!device_) return;
-  vkDestroyImageView(device_, view_, nullptr);
-  vkDestroyImage(device_, image_, nullptr);
-  vkFreeMemory(device_, memory_, nullptr);
-}
-
-void GpuImage::swap(GpuImage& other) noexcept {
-  std::swap(device_, other.device_);
+GpuImage& GpuImage::operator=(GpuImage other) noexcept {
+  std::swap(shape_, other.shape_);
+  std::swap(memory_, other.memory_);
   std::swap(image_, other.image_);
   std::swap(view_, other.view_);
-  std::swap(memory_, other.memory_);
-  std::swap(shape_, other.shape_);
+  return *this;
 }
 
 }  // namespace gridscope

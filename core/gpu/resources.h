@@ -2,10 +2,10 @@
 // submission is waited for (commands.h).
 #pragma once
 
-#include <span>
+#include <cstddef>
 #include <string>
 
-#include "core/gpu/context.h"
+#include "core/gpu/device.h"
 
 namespace gridscope {
 
@@ -19,23 +19,19 @@ class GpuBuffer {
  public:
   GpuBuffer() = default;
   // At least 4 bytes are allocated, so that an empty array can still be bound. Throws when the device can't hold `byteCount`.
-  GpuBuffer(const GpuContext& gpu, const std::string& name, uint64_t byteCount, BufferMemory memory = BufferMemory::device);
-  GpuBuffer(GpuBuffer&& other) noexcept { swap(other); }
-  GpuBuffer& operator=(GpuBuffer&& other) noexcept { return swap(other), *this; }
-  ~GpuBuffer();
+  GpuBuffer(const GpuDevice& gpu, const std::string& name, uint64_t byteCount, BufferMemory memory = BufferMemory::device);
+  GpuBuffer(GpuBuffer&& other) noexcept = default;
+  GpuBuffer& operator=(GpuBuffer other) noexcept;  // by value: what was here goes as a whole, in its own order
 
-  VkBuffer handle() const { return buffer_; }
+  VkBuffer handle() const { return buffer_.get(); }
   uint64_t byteCount() const { return byteCount_; }
   std::byte* mapped() const { return mapped_; }
-  explicit operator bool() const { return buffer_ != VK_NULL_HANDLE; }
+  explicit operator bool() const { return bool(buffer_); }
 
  private:
-  void swap(GpuBuffer& other) noexcept;
-
-  VkDevice device_ = VK_NULL_HANDLE;
-  VkBuffer buffer_ = VK_NULL_HANDLE;
-  VkDeviceMemory memory_ = VK_NULL_HANDLE;
   uint64_t byteCount_ = 0;
+  Owned<VkDeviceMemory> memory_;
+  Owned<VkBuffer> buffer_;  // goes before its memory
   std::byte* mapped_ = nullptr;
 };
 
@@ -53,24 +49,20 @@ struct ImageShape {
 class GpuImage {
  public:
   GpuImage() = default;
-  GpuImage(const GpuContext& gpu, const std::string& name, const ImageShape& shape);
-  GpuImage(GpuImage&& other) noexcept { swap(other); }
-  GpuImage& operator=(GpuImage&& other) noexcept { return swap(other), *this; }
-  ~GpuImage();
+  GpuImage(const GpuDevice& gpu, const std::string& name, const ImageShape& shape);
+  GpuImage(GpuImage&& other) noexcept = default;
+  GpuImage& operator=(GpuImage other) noexcept;
 
-  VkImage handle() const { return image_; }
-  VkImageView view() const { return view_; }
+  VkImage handle() const { return image_.get(); }
+  VkImageView view() const { return view_.get(); }
   const ImageShape& shape() const { return shape_; }
-  explicit operator bool() const { return image_ != VK_NULL_HANDLE; }
+  explicit operator bool() const { return bool(image_); }
 
  private:
-  void swap(GpuImage& other) noexcept;
-
-  VkDevice device_ = VK_NULL_HANDLE;
-  VkImage image_ = VK_NULL_HANDLE;
-  VkImageView view_ = VK_NULL_HANDLE;
-  VkDeviceMemory memory_ = VK_NULL_HANDLE;
   ImageShape shape_;
+  Owned<VkDeviceMemory> memory_;
+  Owned<VkImage> image_;
+  Owned<VkImageView> view_;  // goes first
 };
 
 }  // namespace gridscope

@@ -27,15 +27,4 @@ using ShaderWords = std::map<std::string, std::vector<uint32_t>>;  // SPIR-V by 
 // Replaces the embedded passes of these stems, for pipelines made from now on, on any thread. Returns what had replaced them before.
 ShaderWords replaceShaders(ShaderWords wordsByStem);
 
-// The same module with NoContraction on every float operation, and, where the device has them, rounding to nearest even and preserved
-// signed zeros asked for: what C++ does. Without it drivers may fuse a * b + c.
-std::vector<uint32_t> makeExact(std::span<const uint32_t> words, bool roundingControl);
-
-// What C++ must know of a module.
-struct ShaderFacts {
-  uint32_t localSize[3] = {1, 1, 1};
-  uint32_t pushConstantBytes = 0;
-};
-ShaderFacts readFacts(std::span<const uint32_t> words);
-
 }  // namespace gridscope

@@ -3,6 +3,8 @@
 
 #include <cstring>
 
+#include "core/base/error.h"
+
 namespace gridscope {
 
 CpuStages::CpuStages(PipelineInputs inputs)

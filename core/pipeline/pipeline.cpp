@@ -5,7 +5,10 @@
 #include <chrono>
 #include <cstring>
 
+#include "core/base/error.h"
+#include "core/gpu/grid/limits.h"
 #include "core/gpu/stages.h"
+#include "shaders/shared/pipeline/bindings.h"
 
 namespace gridscope {
 namespace {
@@ -56,7 +59,7 @@ Pipeline::Pipeline(GpuContext& gpu, PipelineInputs inputs, StageDevice device)
 // Refuses what does not fit, then allocates, uploads and compiles.
 void Pipeline::prepare(std::span<const Image> images) {
   bool onDevice = device_ == StageDevice::vulkan;
-  checkGridFits(settings_.grid, parameters_.grid, onDevice ? gpu_.gridLimits() : GridLimits{});
+  checkGridFits(settings_.grid, parameters_.grid, onDevice ? gridLimits(gpu_.report()) : GridLimits{});
   if (settings_.grid.builder == Builder::raster && onDevice && !gpu_.report().geometryStage)
     throw Error("--builder raster: " + gpu_.report().name + " has no geometry stage; use --builder compute", kExitDevice);
   stages_ = std::make_unique<GpuStages>(gpu_, images, numbered_, settings_);
@@ -102,7 +105,7 @@ void Pipeline::setGrid(const GridSettings& settings) {
   if (bounds_.empty()) throw Error(name_ + ": it does not say its scene's bounds, so its grid's settings are fixed");
   const bool onDevice = device_ == StageDevice::vulkan;
   const GridParameters grid = deriveGrid(settings, settings.bounds.value_or(bounds_), numbered_);
-  checkGridFits(settings, grid, onDevice ? gpu_.gridLimits() : GridLimits{});
+  checkGridFits(settings, grid, onDevice ? gridLimits(gpu_.report()) : GridLimits{});
   settings_.grid = settings;
   parameters_.grid = grid;
   setFrameParameters();
@@ -295,7 +298,7 @@ Pipeline::ViewImage Pipeline::view(std::string_view name, const SliceSettings& s
 
   bool bringGrid = device_ == StageDevice::cpu && readsGrid;
   if (bringGrid && !stages_->hasGrid()) {
-    checkGridFits(settings_.grid, parameters_.grid, gpu_.gridLimits());
+    checkGridFits(settings_.grid, parameters_.grid, gridLimits(gpu_.report()));
     stages_->makeGrid(parameters_.grid);
   }
   stages_->setParameters(parameters_);

@@ -19,11 +19,11 @@ layout(scalar, set = 0, binding = kBindAlphaBytes) readonly buffer AlphaBytesBuf
 layout(scalar, set = 0, binding = kBindWorldTriangles) WRITES_WORLD_TRIANGLES buffer WorldTrianglesBuffer { Triangle worldTriangles[]; };
 
 // SpecializedSettings.
-layout(constant_id = 0) const uint kSpecializedOverlap = 0u;
-layout(constant_id = 1) const uint kSpecializedInsertion = 0u;
-layout(constant_id = 2) const int kSpecializedStretchAxis = 0;
-layout(constant_id = 3) const int kSpecializedReserved = 2;
-layout(constant_id = 4) const uint kSpecializedTraversal = 0u;
+layout(constant_id = kConstantOverlap) const uint kSpecializedOverlap = 0u;
+layout(constant_id = kConstantInsertion) const uint kSpecializedInsertion = 0u;
+layout(constant_id = kConstantStretchAxis) const int kSpecializedStretchAxis = 0;
+layout(constant_id = kConstantReserved) const int kSpecializedReserved = 2;
+layout(constant_id = kConstantTraversal) const uint kSpecializedTraversal = 0u;
 
 GridParameters gridParameters() {
   GridParameters grid = parameters.grid;

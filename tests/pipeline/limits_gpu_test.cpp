@@ -1,6 +1,7 @@
 // Drivers that cut loops short (lavapipe after 65,535 iterations of a group) must lose no reference and end no ray.
 #include <cmath>
 
+#include "core/base/error.h"
 #include "core/checks/cpu_check.h"
 #include "core/pipeline/pipeline.h"
 #include "tests/gpu_fixture.h"

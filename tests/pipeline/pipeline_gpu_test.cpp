@@ -1,6 +1,7 @@
 // The device's build, update and trace against C++, on the built-in scenes.
 #include "core/pipeline/pipeline.h"
 
+#include "core/base/error.h"
 #include "core/checks/cpu_check.h"
 #include "core/checks/self_test.h"
 #include "tests/gpu_fixture.h"

@@ -1,9 +1,7 @@
 // The Vulkan functions that the window uses, in a table of its own: core's are volk's globals and belong to the worker thread's instance.
 #pragma once
 
-#include <vulkan/vulkan.h>
-
-#include "core/gpu/context.h"
+#include "core/gpu/vulkan.h"
 
 namespace gridscope {
 

@@ -1,8 +1,10 @@
-// The trace on the Vulkan device, and the recording of one ray.
+// See trace_stages.h.
+#include "core/gpu/trace_stages.h"
+
 #include <algorithm>
 #include <bit>
 
-#include "core/gpu/stages.h"
+#include "shaders/shared/pipeline/bindings.h"
 
 namespace gridscope {
 namespace {
@@ -45,15 +47,32 @@ void throwCut(const std::string& what) {
 
 }  // namespace
 
+TraceStages::TraceStages(GpuPrograms& programs) : programs_(programs) {
+  programs.bound().makeBuffer(kBindTraceReport, "trace report", 2 * sizeof(uint32_t));
+}
+
+void TraceStages::makeTargets(uint64_t rayCount) {
+  BoundResources& bound = programs_.bound();
+  bound.makeBuffer(kBindRays, "rays", rayCount * sizeof(Ray));
+  bound.makeBuffer(kBindHits, "hits", rayCount * sizeof(Hit));
+  bound.makeBuffer(kBindCounters, "counters", rayCount * sizeof(RayCounters));
+  bound.makeBuffer(kBindTraceStates, "trace states", rayCount * sizeof(TraceState));
+}
+
+void TraceStages::setParameters(const TraceParameters& trace) {
+  trace_ = trace;
+  programs_.specialize({{kConstantTraversal, trace.traversal}});
+}
+
 // As many passes as the segments of the longest ray need; a pass after the first takes only the rays that are not done.
-double GpuStages::trace(uint32_t firstRay, uint32_t endRay, bool counting) {
+double TraceStages::trace(uint32_t firstRay, uint32_t endRay, bool counting) {
   const std::string stem = counting ? "trace_counting" : "trace";
-  uint32_t segments = parameters_.trace.maxSegments + 2;  // it may take one more to say "limit"
-  uint32_t passes = (segments + parameters_.trace.segmentsPerPass - 1) / parameters_.trace.segmentsPerPass;
+  uint32_t segments = trace_.maxSegments + 2;  // it may take one more to say "limit"
+  uint32_t passes = (segments + trace_.segmentsPerPass - 1) / trace_.segmentsPerPass;
   double time = 0.0;
   for (uint32_t pass = 0; pass < std::max(passes, 1u); ++pass) {
-    GpuCommands commands(gpu_);
-    zero(commands, kBindTraceReport);
+    GpuCommands commands(programs_.gpu());
+    programs_.zero(commands, kBindTraceReport);
     commands.pass(stem, [&] {
       for (uint32_t first = firstRay; first < endRay; first += kMostRaysPerDispatch) {
         TraceArguments arguments{first, first + std::min(kMostRaysPerDispatch, endRay - first), pass > 0};
@@ -61,7 +80,7 @@ double GpuStages::trace(uint32_t firstRay, uint32_t endRay, bool counting) {
       }
     });
     time += commands.run()[stem];
-    std::vector<uint32_t> report = read<uint32_t>(kBindTraceReport, 2);
+    std::vector<uint32_t> report = programs_.read<uint32_t>(kBindTraceReport, 2);
     if (report[1] > 0) throwCut(std::to_string(report[1]) + " rays ended without a reason");
     if (report[0] == 0) return time;
     if (pass + 1 >= passes) throwCut(std::to_string(report[0]) + " rays were not finished after " + std::to_string(passes) + " passes");
@@ -69,26 +88,27 @@ double GpuStages::trace(uint32_t firstRay, uint32_t endRay, bool counting) {
   return time;
 }
 
-RayRecord GpuStages::record(uint32_t pixel) {
+RayRecord TraceStages::record(uint32_t pixel) {
   uint32_t capacity = 1u << 16;
   for (;;) {
     RayRecordHeader header{};
     header.wordCapacity = capacity;
-    makeBuffer(kBindRayRecord, "ray record", sizeof(RayRecordHeader) + uint64_t(capacity) * sizeof(uint32_t));
-    uploadBytes(gpu_, buffers_[kBindRayRecord], bytesOf(header));
+    const GpuBuffer& buffer =
+        programs_.bound().makeBuffer(kBindRayRecord, "ray record", sizeof(RayRecordHeader) + uint64_t(capacity) * sizeof(uint32_t));
+    uploadBytes(programs_.gpu(), buffer, bytesOf(header));
     TraceArguments arguments{pixel, pixel + 1, 0};
     do {
-      GpuCommands commands(gpu_);
+      GpuCommands commands(programs_.gpu());
       programs_.dispatch(commands, "trace_record", {1, 1, 1}, bytesOf(arguments));
       commands.barrier();
       commands.run();
-      header = read<RayRecordHeader>(kBindRayRecord, 1)[0];
+      header = programs_.read<RayRecordHeader>(kBindRayRecord, 1)[0];
       arguments.continues = 1;
     } while (header.hit.kind == kHitUnfinished);
     if (header.hit.kind == kHitCut) throwCut("the recorded ray ended without a reason");
     if (header.wordCount <= capacity) {
       std::vector<uint32_t> words(header.wordCount);
-      downloadBytes(gpu_, buffers_[kBindRayRecord], std::as_writable_bytes(std::span(words)), sizeof(RayRecordHeader));
+      downloadBytes(programs_.gpu(), buffer, std::as_writable_bytes(std::span(words)), sizeof(RayRecordHeader));
       return decodeRecord(header, words);
     }
     capacity = header.wordCount;
