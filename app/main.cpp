@@ -11,6 +11,7 @@
 #include "app/commands/commands.h"
 #include "app/ui/shell/window.h"
 #include "core/base/error.h"
+#include "core/base/version.h"
 #include "core/scene/built_in_scenes.h"
 
 namespace gridscope {
@@ -60,7 +61,7 @@ std::string explain(const CLI::App& app, const CLI::ParseError& error) {
 
 // Reads the command line; returns the command to run, or nullptr with the exit code when help or the version was all.
 const Command* readCommandLine(CLI::App& app, Options& options, std::vector<std::string> arguments, int& exitCode) {
-  app.set_version_flag("--version", "gridscope " GRIDSCOPE_VERSION);
+  app.set_version_flag("--version", std::string("gridscope ") + kVersion);
   app.require_subcommand(1);
   app.get_formatter()->column_width(36);
   for (const Command& command : kCommands) command.addOptions(*app.add_subcommand(command.name, command.about), options);

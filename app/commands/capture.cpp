@@ -7,6 +7,7 @@
 #include "app/report/report.h"
 #include "app/session/capture_files.h"
 #include "core/base/error.h"
+#include "core/base/version.h"
 #include "core/capture/capture.h"
 #include "core/pipeline/frame_capture.h"
 
@@ -17,7 +18,7 @@ namespace {
 // The capture without its frames: of a scene, or of the capture that stands in its place.
 Capture beginCapture(const Session& session, const Options& options) {
   Capture capture = startCapture(session.pipeline(), session.names(), session.bounds());
-  capture.writer = std::string(kWriterName) + GRIDSCOPE_VERSION;
+  capture.writer = std::string(kWriterName) + kVersion;
   capture.device = session.deviceName();
   capture.driver = session.deviceReport().driver;
   capture.note = options.captures.note;

@@ -4,6 +4,7 @@
 #include "app/commands/commands.h"
 #include "app/report/report.h"
 #include "core/base/error.h"
+#include "core/base/version.h"
 #include "core/checks/self_test.h"
 
 namespace gridscope {
@@ -117,7 +118,7 @@ int runInfo(const Options& options) {
     usable += device.report.refusal.empty() ? 1 : 0;
     failed += device.report.refusal.empty() && !device.passed() ? 1 : 0;
   }
-  writeJson(options, {{"version", GRIDSCOPE_VERSION}, {"devices", devices}});
+  writeJson(options, {{"version", kVersion}, {"devices", devices}});
   if (usable == 0)
     throw Error(reports.empty() ? "no Vulkan device was found; install a driver (mesa-vulkan-drivers brings one for the CPU)"
                                 : "no Vulkan device can be used; the list says why",

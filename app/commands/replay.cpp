@@ -6,6 +6,7 @@
 #include "app/report/report.h"
 #include "app/session/capture_files.h"
 #include "core/base/error.h"
+#include "core/base/version.h"
 
 namespace gridscope {
 
@@ -99,7 +100,7 @@ int runReplay(const Options& options) {
   }
   if (reports.size() != 1) std::fprintf(textStream(options), "%zu of %zu captures equal\n", equal, reports.size());
   if (!captures.junit.empty()) writeJUnit(captures.junit, "gridscope replay", cases);
-  writeJson(options, {{"version", GRIDSCOPE_VERSION}, {"captures", reports}});
+  writeJson(options, {{"version", kVersion}, {"captures", reports}});
   return exitCodeOf(reports);
 }
 

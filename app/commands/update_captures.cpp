@@ -7,6 +7,7 @@
 #include "app/report/report.h"
 #include "app/session/capture_files.h"
 #include "core/base/error.h"
+#include "core/base/version.h"
 #include "core/checks/replay.h"
 #include "core/pipeline/frame_capture.h"
 
@@ -64,7 +65,7 @@ Capture remade(GpuContext& gpu, const Capture& capture) {
     result.frames[i] = remadeFrame(*pipeline, capture, i);
     if (i == 0 && !capture.preview.empty() && !lacksDiffuseMaps(capture)) result.preview = remadePreview(*pipeline, capture);
   }
-  if (builtHere(capture)) result.writer = std::string(kWriterName) + GRIDSCOPE_VERSION;
+  if (builtHere(capture)) result.writer = std::string(kWriterName) + kVersion;
   result.device = gpu.report().name;
   result.driver = gpu.report().driver;
   return result;

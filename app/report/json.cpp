@@ -6,6 +6,7 @@
 #include <iostream>
 
 #include "core/base/error.h"
+#include "core/base/version.h"
 
 namespace gridscope {
 
@@ -57,7 +58,7 @@ static Json frameJson(const FrameReport& frame, const GridParameters& grid) {
 }
 
 Json deviceJson(const Session& session) {
-  return {{"version", GRIDSCOPE_VERSION},
+  return {{"version", kVersion},
           {"device", session.deviceName()},
           {"driver", session.deviceReport().driver},
           {"vulkanDevice", session.deviceReport().name}};

@@ -10,6 +10,7 @@
 #include "app/report/page_legend.h"
 #include "app/session/settings_table.h"
 #include "core/base/error.h"
+#include "core/base/version.h"
 #include "core/base/write_file.h"
 #include "shaders/shared/truth/truth_colours.h"
 #include "views/drawing.h"
@@ -129,7 +130,7 @@ std::string settingsHtml(const PageFrame& frame) {
 }
 
 std::string deviceHtml(const PageFrame& frame) {
-  return paragraph("Build, update and trace ran on " + frame.device + ", gridscope " + GRIDSCOPE_VERSION +
+  return paragraph("Build, update and trace ran on " + frame.device + ", gridscope " + kVersion +
                    ". The exact hits were found on the CPU, among all triangles, without a grid.") +
          "<h3>Make this page again</h3>" + codeBlock(frame.command);
 }
@@ -140,7 +141,7 @@ ReportPage reportPage(const PageFrame& frame) {
                    {"costs", "What it cost", costsHtml(frame)},         {"plots", "Plots", plotsHtml(frame)},
                    {"statistics", "Statistics", statisticsHtml(frame)}, {"invariants", "Invariants", invariantsHtml(frame)},
                    {"settings", "Settings", settingsHtml(frame)},       {"device", "Device and command", deviceHtml(frame)}};
-  page.footer = std::string("Written by gridscope ") + GRIDSCOPE_VERSION + ". This page needs no network.";
+  page.footer = std::string("Written by gridscope ") + kVersion + ". This page needs no network.";
   return page;
 }
 

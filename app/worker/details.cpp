@@ -8,6 +8,7 @@
 #include "app/worker/shader_compiler.h"
 #include "app/worker/work.h"
 #include "core/base/error.h"
+#include "core/base/version.h"
 #include "core/gpu/shader_code.h"
 #include "core/pipeline/frame_capture.h"
 #include "core/trace/invariants_frame.h"
@@ -157,7 +158,7 @@ void FrameMaker::writeCapture(const CaptureWish& wish) {
   if (!pipeline_ || dirty_.any() || !productsRead_)
     throw Error(wish.file + ": the frame is not complete yet; capture it again in a moment");
   Capture capture = startCapture(*pipeline_, current_.scene->names, loaded_->bounds);
-  capture.writer = std::string(kWriterName) + GRIDSCOPE_VERSION;
+  capture.writer = std::string(kWriterName) + kVersion;
   capture.device = current_.device;
   capture.driver = gpu_.report().driver;
   capture.note = wish.note;
