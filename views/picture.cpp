@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/base/error.h"
+#include "core/pipeline/pipeline.h"
 #include "views/legend.h"
 
 namespace gridscope {
@@ -100,6 +101,18 @@ ViewPicture makeViewPicture(const View& view, std::span<const ViewElement> eleme
   if (isSlice) result.picture = centred(result.picture, kNarrowestLegend);
   result.picture = setBelow(result.picture, drawLegend(legend, result.picture.width));
   return result;
+}
+
+Picture plainView(Pipeline& pipeline, const char* name) {
+  const View& view = *findView(name);
+  const Pipeline::ViewImage image = pipeline.view(name, {}, view.needsGrid);
+  const FrameSettings& settings = pipeline.settings();
+  return makeViewPicture(view, image.elements, image.width, image.height,
+                         {.legend = false,
+                          .capacity = uint32_t(pipeline.parameters().grid.capacity),
+                          .frameWidth = settings.width,
+                          .frameHeight = settings.height})
+      .picture;
 }
 
 }  // namespace gridscope

@@ -13,6 +13,8 @@
 
 namespace gridscope {
 
+class Pipeline;
+
 using ValueRange = std::array<float, 2>;  // low, high; low < high
 
 struct ViewPictureSettings {
@@ -43,5 +45,8 @@ ValueRange viewRange(const View& view, std::span<const ViewElement> elements, ui
 // `elements`: width x height of them, row by row, first row at the top.
 ViewPicture makeViewPicture(const View& view, std::span<const ViewElement> elements, uint32_t width, uint32_t height,
                             const ViewPictureSettings& settings);
+
+// A view of the pipeline's present products, without legend.
+Picture plainView(Pipeline& pipeline, const char* name);
 
 }  // namespace gridscope

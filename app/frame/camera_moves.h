@@ -1,7 +1,8 @@
 // How a person moves a camera: around a point, through space, towards a thing. No ImGui here.
 #pragma once
 
-#include "app/model/window_model.h"
+#include "app/frame/showing.h"
+#include "app/frame/snapshot.h"
 
 namespace gridscope {
 
@@ -29,10 +30,5 @@ void lookAlong(CameraState& camera, int axis, bool positive);
 void lookAlongOrBack(CameraState& camera, int axis, bool positive);
 
 vec3 worldUp(const CameraState& camera);
-
-// What is selected, as a box in the world; empty: nothing.
-Bounds selectedBounds(const WindowModel& model);
-// What one orbits around: the middle of what is selected, where it is in the picture; else nothing.
-std::optional<vec3> selectedPivot(const WindowModel& model);
 
 }  // namespace gridscope

@@ -7,7 +7,7 @@
 
 #include "app/frame/find_next.h"
 #include "app/frame/projection.h"
-#include "app/model/window_model.h"
+#include "app/frame/showing.h"
 
 namespace gridscope {
 

@@ -5,9 +5,6 @@
 #include <span>
 
 #include "app/base/text.h"
-#include "app/frame/sheet.h"
-#include "core/base/error.h"
-#include "core/base/write_file.h"
 
 namespace gridscope {
 
@@ -114,25 +111,6 @@ CsvRows triangleCellRows(const TriangleCells& cells) {
   for (const ivec3& cell : cells.stored) rows.push_back({place(cell), "1"});
   for (const ivec3& cell : cells.refused) rows.push_back({place(cell), "0"});
   return rows;
-}
-
-void exportCsv(WindowModel& model, const std::string& table, size_t rowCount, std::function<std::string()> csv) {
-  const std::string scene = model.frame && model.frame->scene ? model.frame->scene->name : "scene";
-  const std::filesystem::path file = model.files.claim(std::filesystem::absolute(csvName(scene, table)));
-  model.files.start([file, rowCount, csv = std::move(csv)] {
-    const std::string text = csv();
-    try {
-      writeWholeFile(file, std::as_bytes(std::span(text)));
-    } catch (const Error& error) {
-      throw error.within(file.string());
-    }
-    return "Exported " + grouped(rowCount) + (rowCount == 1 ? " row to " : " rows to ") + file.string();
-  });
-}
-
-void exportCsv(WindowModel& model, const std::string& table, CsvRows rows) {
-  const size_t rowCount = rows.size() - 1;
-  exportCsv(model, table, rowCount, [rows = std::move(rows)] { return csvText(rows); });
 }
 
 }  // namespace gridscope

@@ -4,8 +4,8 @@
 #include <optional>
 
 #include "app/frame/sheet.h"
+#include "app/frame/showing.h"
 #include "app/frame/snapshot.h"
-#include "app/model/window_model.h"
 
 namespace gridscope {
 

@@ -2,7 +2,7 @@
 // pixels of the screen from the pane's upper left corner, unless they are of the frame.
 #pragma once
 
-#include "app/model/window_model.h"
+#include "app/frame/showing.h"
 
 namespace gridscope {
 

@@ -12,12 +12,13 @@
 #include <string>
 #include <vector>
 
+#include "app/frame/messages.h"
+#include "app/frame/showing.h"
 #include "app/frame/snapshot.h"
 #include "app/frame/stage_history.h"
 #include "app/jobs/file_jobs.h"
 #include "app/jobs/report_job.h"
 #include "app/model/selection.h"
-#include "views/picture.h"
 
 namespace gridscope {
 
@@ -26,66 +27,6 @@ enum class BottomTab { steps, cells, instances, triangles, rays, causes, plots, 
 inline constexpr size_t kBottomTabCount = size_t(BottomTab::log) + 1;
 enum class ViewportLayout { one, four, compare };  // compare: A beside B, by wipe or flip
 enum class Theme { dark, light };
-
-// How one view of the viewport is shown.
-struct Pane {
-  std::string view = "final";
-  std::optional<ValueRange> range;  // not given: fitted to the values
-};
-
-// Where in the frame the viewport looks. Linked panes share one.
-struct ViewportPlace {
-  float zoom = 0.0f;  // screen pixels a frame pixel; 0: the frame fits
-  vec2 centre{0.5f};  // of the frame's width and height
-};
-
-struct Overlays {
-  bool cellBoxes = false;
-  size_t boxMeasure = 0;                    // what chooses and colours the boxes: of boxMeasures()
-  std::array<int, 2> boxRange{1, 1 << 30};  // its values whose boxes are drawn
-  bool saturatedBoxes = false;
-  bool raySegments = true;
-  bool visitedCells = true;
-  bool testedTriangles = true;
-  bool selection = true;
-  bool dimmed = false;  // the picture, under a ray
-  bool lens = true;     // on the selected step's cell, where it is small in the picture
-  bool clip = false;    // only what lies in clipBox
-  Bounds clipBox;       // world
-};
-
-enum class CameraMode { orbit, fly };
-
-struct CameraState {
-  CameraPose pose;  // what the frame is gathered from
-  CameraMode mode = CameraMode::orbit;
-  float speed = 1.0f;  // of flying, world units a second
-  bool zUp = false;
-};
-
-struct Bookmark {
-  std::string name;
-  CameraPose pose;
-};
-
-struct LogLine {
-  enum class Kind { note, warning, error } kind = Kind::note;
-  double seconds = 0.0;  // since the start
-  std::string text;
-  bool shown = false;  // for a moment over the viewport too: it answers what a person asked for
-};
-
-// Rectangle of pixels that filters the tables; end behind the last.
-struct PixelArea {
-  ivec2 begin{0};
-  ivec2 end{0};
-};
-
-// The ray order of the Rays table: previous and next ray follow it.
-struct RayOrder {
-  std::vector<uint32_t> pixels;   // as the table shows them, filters applied
-  std::string name = "by pixel";  // "Rays, by tests"
-};
 
 // What A/B shows beside the live frame.
 struct CompareState {
@@ -112,25 +53,11 @@ struct StaleValues {
   bool steps = false;  // of the selected ray; one that is held is never stale
 };
 
-// Long work that the worker is doing.
-struct LongWork {
-  enum class Kind { source, grid, truth, shaders } kind = Kind::source;
-  std::string what;      // "Loading sponza.glb"
-  float share = 0.0f;    // 0..1; below 0: not known
-  double seconds = 0.0;  // so far
-};
-
 // Sizes of the regions beside and below the viewport, pixels at UI scale 1.
 struct Splits {
   float left = 300.0f;
   float right = 380.0f;
   float bottom = 248.0f;
-};
-
-// A capture to write of the frame that is shown.
-struct CaptureWish {
-  std::string file;
-  std::string note;
 };
 
 // Where to go once the truth is told.
@@ -141,9 +68,10 @@ struct WindowModel {
   FrameRequest request;                        // what is wanted now; changes are sent once a display frame
   std::shared_ptr<const FrameSnapshot> frame;  // what there is; null until the first
   std::optional<LongWork> work;
-  bool cancelWork = false;                 // set by a Cancel button
-  std::optional<CaptureWish> captureWish;  // handed to the worker once
-  FileJobs files;                          // on their way to the disk
+  bool cancelWork = false;                   // set by a Cancel button
+  std::optional<CaptureWish> captureWish;    // handed to the worker once
+  std::optional<std::string> clipboardWish;  // text for the clipboard, taken once
+  FileJobs files;                            // on their way to the disk
   ReportJob report;
   std::string startDevice;  // that --device named
   Jump pendingJump = Jump::none;

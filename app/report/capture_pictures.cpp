@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <cstring>
 
-#include <stb/stb_image_write.h>
-
 #include "core/base/error.h"
 #include "core/capture/compare.h"
 #include "views/picture.h"
@@ -15,12 +13,6 @@ namespace gridscope {
 namespace {
 
 constexpr uint32_t kGap = 4;  // pixels between the two sides of a strip
-
-void appendBytes(void* bytes, void* data, int size) {
-  const auto* first = static_cast<const std::byte*>(data);
-  auto& target = *static_cast<std::vector<std::byte>*>(bytes);
-  target.insert(target.end(), first, first + size);
-}
 
 // Elements of both sides over one area, and where they differ.
 struct Elements {
@@ -99,26 +91,6 @@ Picture enlarged(const Picture& picture) {
 }
 
 }  // namespace
-
-Picture plainView(Pipeline& pipeline, const char* name) {
-  const View& view = *findView(name);
-  const Pipeline::ViewImage image = pipeline.view(name, {}, view.needsGrid);
-  const FrameSettings& settings = pipeline.settings();
-  return makeViewPicture(view, image.elements, image.width, image.height,
-                         {.legend = false,
-                          .capacity = uint32_t(pipeline.parameters().grid.capacity),
-                          .frameWidth = settings.width,
-                          .frameHeight = settings.height})
-      .picture;
-}
-
-std::vector<std::byte> pngBytes(const Picture& picture) {
-  std::vector<std::byte> bytes;
-  const int width = int(picture.width), height = int(picture.height);
-  if (!stbi_write_png_to_func(appendBytes, &bytes, width, height, 4, picture.rgba.data(), 4 * width))
-    throw Error("a picture could not be encoded");
-  return bytes;
-}
 
 DifferencePictures drawDifference(const TwoSides& sides) {
   const Elements elements = sides.hitsA.empty() ? gridElements(sides) : hitElements(sides);

@@ -9,15 +9,8 @@
 #include "core/base/image_file.h"
 #include "core/capture/capture.h"
 #include "core/checks/replay.h"
-#include "core/pipeline/pipeline.h"
 
 namespace gridscope {
-
-// A view of the pipeline's present products, without legend.
-Picture plainView(Pipeline& pipeline, const char* name);
-
-// A PNG file in memory.
-std::vector<std::byte> pngBytes(const Picture& picture);
 
 // A frame's product on either side: hits of both, or else grids of both.
 struct TwoSides {

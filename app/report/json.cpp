@@ -113,8 +113,6 @@ Json reportJson(const Session& session, const RenderReport& report) {
   return json;
 }
 
-std::FILE* textStream(const Options& options) { return options.json == "-" ? stderr : stdout; }
-
 void writeJson(const Options& options, const Json& results) {
   if (options.json.empty()) return;
 

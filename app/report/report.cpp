@@ -80,21 +80,6 @@ FrameReport reportFrame(Session& session, uint32_t frame, bool counted) {
   return report;
 }
 
-std::string foreignHitsText(uint64_t count) {
-  return grouped(count) + " of the capture's hits are not what this trace ends with; they are taken as they are";
-}
-
-std::string refusedFirst(const GridSettings& settings) {
-  if (settings.insertion == kInsertionFirstCome) return "refused first: whatever comes last in the race";
-  if (settings.numberBy == NumberBy::area) return "refused first: the smallest triangles, then dynamic instances";
-  return "refused first: the highest ids: late meshes, then dynamic instances";
-}
-
-std::string gridText(const GridParameters& grid) {
-  return printed("%d x %d x %d cells of %.4g, capacity %d", grid.cellCount.x, grid.cellCount.y, grid.cellCount.z, grid.cellEdge,
-                 grid.capacity);
-}
-
 Table reportTable(const Session& session, const RenderReport& report) {
   const FrameReport& frame = report.frames.back();
   const GridParameters& grid = session.pipeline().parameters().grid;

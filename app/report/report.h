@@ -10,6 +10,7 @@
 
 #include "app/base/text.h"
 #include "app/session/session.h"
+#include "app/session/settings_table.h"
 #include "core/base/statistics.h"
 #include "core/checks/exact_check.h"
 
@@ -50,15 +51,6 @@ inline constexpr size_t kMostExactDifferences = 5;
 // How many rays agree with the exact hits, and each that does not.
 void printExact(std::FILE* out, const ExactComparison& exact, uint32_t frameWidth);
 
-// "12 of the capture's hits are not what this trace ends with; they are taken as they are".
-std::string foreignHitsText(uint64_t count);
-
-// One sentence: what full cells refuse first under these settings.
-std::string refusedFirst(const GridSettings& settings);
-
-// "12 x 34 x 56 cells of 0.25, capacity 32".
-std::string gridText(const GridParameters& grid);
-
 // The whole report; keys as the command line names things.
 nlohmann::ordered_json reportJson(const Session& session, const RenderReport& report);
 
@@ -66,9 +58,6 @@ nlohmann::ordered_json reportJson(const Session& session, const RenderReport& re
 nlohmann::ordered_json deviceJson(const Session& session);
 nlohmann::ordered_json sceneJson(const Session& session);
 nlohmann::ordered_json gridJson(const GridParameters& grid);
-
-// Where a command's text goes: standard output, unless JSON goes there.
-std::FILE* textStream(const Options& options);
 
 // Writes results to --json; nothing when it was not given. Throws Error.
 void writeJson(const Options& options, const nlohmann::ordered_json& results);

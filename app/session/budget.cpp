@@ -9,7 +9,6 @@
 #include <nlohmann/json.hpp>
 
 #include "app/base/text.h"
-#include "app/report/report.h"
 #include "app/session/option_values.h"
 #include "app/session/options.h"
 #include "core/base/error.h"

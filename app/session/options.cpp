@@ -427,6 +427,8 @@ void addTruthOptions(CLI::App& command, Options& options) {
   group.whole("--worst", options.worst, {0, 1000000}, std::to_string(options.worst), "How many of the worst rays to list");
 }
 
+std::FILE* textStream(const Options& options) { return options.json == "-" ? stderr : stdout; }
+
 void checkOptions(const Options& options) {
   if (options.cells && options.cellEdge) throw Error("--cells and --cell-edge both say how fine the grid is; give one of them");
   if (options.moving && options.teapots == 0) throw Error("--moving: there are no added teapots that could move; give --teapots N too");

@@ -2,6 +2,7 @@
 // of them. Values are checked as they are read; what depends on scene or device is checked where that is known.
 #pragma once
 
+#include <cstdio>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -155,6 +156,9 @@ void addRandomPixelsOption(CLI::App& command, Options& options);
 
 // Offers --verify and --worst.
 void addTruthOptions(CLI::App& command, Options& options);
+
+// Where a command's text goes: standard output, unless JSON goes there.
+std::FILE* textStream(const Options& options);
 
 // Options that do not go together; throws Error.
 void checkOptions(const Options& options);

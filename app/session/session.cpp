@@ -134,4 +134,8 @@ std::optional<uint64_t> Session::useCapturedHits(uint32_t frame) {
   return gridscope::useCapturedHits(pipeline_, capturedFrame(frame).hits);
 }
 
+std::string foreignHitsText(uint64_t count) {
+  return grouped(count) + " of the capture's hits are not what this trace ends with; they are taken as they are";
+}
+
 }  // namespace gridscope

@@ -58,4 +58,7 @@ class Session {
   Pipeline pipeline_;
 };
 
+// "12 of the capture's hits are not what this trace ends with; they are taken as they are".
+std::string foreignHitsText(uint64_t count);
+
 }  // namespace gridscope

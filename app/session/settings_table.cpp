@@ -88,4 +88,15 @@ std::vector<SettingText> settingTexts(const FrameSettings& settings) {
   return rows;
 }
 
+std::string refusedFirst(const GridSettings& settings) {
+  if (settings.insertion == kInsertionFirstCome) return "refused first: whatever comes last in the race";
+  if (settings.numberBy == NumberBy::area) return "refused first: the smallest triangles, then dynamic instances";
+  return "refused first: the highest ids: late meshes, then dynamic instances";
+}
+
+std::string gridText(const GridParameters& grid) {
+  return printed("%d x %d x %d cells of %.4g, capacity %d", grid.cellCount.x, grid.cellCount.y, grid.cellCount.z, grid.cellEdge,
+                 grid.capacity);
+}
+
 }  // namespace gridscope

@@ -18,4 +18,10 @@ struct SettingText {
 
 std::vector<SettingText> settingTexts(const FrameSettings& settings);
 
+// One sentence: what full cells refuse first under these settings.
+std::string refusedFirst(const GridSettings& settings);
+
+// "12 x 34 x 56 cells of 0.25, capacity 32".
+std::string gridText(const GridParameters& grid);
+
 }  // namespace gridscope

@@ -3,15 +3,16 @@
 #include <algorithm>
 #include <cstring>
 
-#include "app/report/capture_pictures.h"
 #include "app/worker/maker.h"
 #include "app/worker/shader_compiler.h"
 #include "app/worker/work.h"
 #include "core/base/error.h"
+#include "core/base/image_file.h"
 #include "core/base/version.h"
 #include "core/gpu/shader_code.h"
 #include "core/pipeline/frame_capture.h"
 #include "core/trace/invariants_frame.h"
+#include "views/picture.h"
 
 namespace gridscope {
 

@@ -7,7 +7,7 @@
 
 #include "app/base/text.h"
 #include "app/frame/scene_edits.h"
-#include "app/report/report.h"
+#include "app/session/session.h"
 #include "app/worker/work.h"
 #include "core/base/error.h"
 #include "core/pipeline/frame_capture.h"

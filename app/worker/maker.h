@@ -9,7 +9,8 @@
 #include <set>
 
 #include "app/frame/changes.h"
-#include "app/model/window_model.h"
+#include "app/frame/messages.h"
+#include "app/frame/snapshot.h"
 #include "app/worker/source.h"
 #include "core/gpu/context.h"
 #include "views/view.h"

@@ -15,12 +15,13 @@
 namespace gridscope {
 
 static void appendBytes(void* bytes, void* data, int size) {
-  const uint8_t* first = static_cast<const uint8_t*>(data);
-  static_cast<std::vector<uint8_t>*>(bytes)->insert(static_cast<std::vector<uint8_t>*>(bytes)->end(), first, first + size);
+  const auto* first = static_cast<const std::byte*>(data);
+  auto& target = *static_cast<std::vector<std::byte>*>(bytes);
+  target.insert(target.end(), first, first + size);
 }
 
 // Writes all bytes to disk; false with errno set when it could not.
-static bool writeBytes(const std::string& path, const std::vector<uint8_t>& bytes) {
+static bool writeBytes(const std::string& path, const std::vector<std::byte>& bytes) {
   std::FILE* file = std::fopen(path.c_str(), "wb");
   if (!file) return false;
   bool written = std::fwrite(bytes.data(), 1, bytes.size(), file) == bytes.size() && std::fflush(file) == 0 && fsync(fileno(file)) == 0;
@@ -37,16 +38,25 @@ Picture makePicture(uint32_t width, uint32_t height, uint32_t colour) {
   return picture;
 }
 
+std::vector<std::byte> pngBytes(const Picture& picture) {
+  CHECK_EQ(picture.rgba.size(), size_t{4} * picture.width * picture.height);
+  std::vector<std::byte> bytes;
+  const int width = static_cast<int>(picture.width), height = static_cast<int>(picture.height);
+  if (picture.rgba.empty() || !stbi_write_png_to_func(appendBytes, &bytes, width, height, 4, picture.rgba.data(), 4 * width))
+    throw Error("a picture of " + std::to_string(width) + " x " + std::to_string(height) + " pixels could not be encoded");
+  return bytes;
+}
+
 void writePng(const std::string& path, const Picture& picture) {
   CHECK_EQ(picture.rgba.size(), size_t{4} * picture.width * picture.height);
   if (picture.rgba.empty()) throw Error(path + ": a picture without pixels can't be written");
 
-  std::vector<uint8_t> bytes;
-  int width = static_cast<int>(picture.width);
-  int height = static_cast<int>(picture.height);
-  if (!stbi_write_png_to_func(appendBytes, &bytes, width, height, 4, picture.rgba.data(), 4 * width))
-    throw Error(path + ": the picture of " + std::to_string(width) + " x " + std::to_string(height) + " pixels could not be encoded");
-
+  std::vector<std::byte> bytes;
+  try {
+    bytes = pngBytes(picture);
+  } catch (const Error& error) {
+    throw error.within(path);
+  }
   std::string temporary = path + ".part-" + std::to_string(getpid());
   if (writeBytes(temporary, bytes) && std::rename(temporary.c_str(), path.c_str()) == 0) return;
   std::string reason = std::strerror(errno);

@@ -1,8 +1,8 @@
 // Steps of recorded rays: what they are called, what is worked out again, and going through them forward and back.
 #include <gtest/gtest.h>
 
-#include "app/frame/ray_stepping.h"
 #include "app/frame/step_facts.h"
+#include "app/model/ray_stepping.h"
 #include "shaders/shared/views/palette.h"
 #include "tests/small_scene.h"
 

@@ -3,6 +3,7 @@
 
 #include "app/frame/camera_moves.h"
 #include "app/model/flow.h"
+#include "app/model/selected_bounds.h"
 #include "app/model/selection_carry.h"
 #include "core/scene/built_in_scenes.h"
 #include "tests/frame/small_frame.h"

@@ -2,10 +2,10 @@
 #include <gtest/gtest.h>
 
 #include "app/frame/instance_edits.h"
-#include "app/frame/ray_stepping.h"
 #include "app/model/comparison.h"
 #include "app/model/flow.h"
 #include "app/model/held_ray.h"
+#include "app/model/ray_stepping.h"
 #include "app/model/stale_values.h"
 #include "core/grid/derive.h"
 #include "tests/frame/small_frame.h"

@@ -6,11 +6,12 @@
 #include "app/frame/find_next.h"
 #include "app/frame/table_exports.h"
 #include "app/frame/table_rows.h"
+#include "app/model/exports.h"
 #include "app/model/flow.h"
+#include "app/ui/panels/panels.h"
 #include "app/ui/panels/sheet.h"
 #include "app/ui/panels/table_parts.h"
 #include "app/ui/panels/truth_marks.h"
-#include "app/ui/viewport/panels.h"
 #include "app/ui/widgets/widgets.h"
 #include "shaders/shared/views/palette.h"
 

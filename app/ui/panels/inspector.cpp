@@ -6,7 +6,7 @@
 #include "app/base/text.h"
 #include "app/frame/table_rows.h"
 #include "app/model/held_ray.h"
-#include "app/ui/viewport/panels.h"
+#include "app/ui/panels/panels.h"
 #include "app/ui/viewport/stale.h"
 #include "app/ui/widgets/widgets.h"
 #include "shaders/shared/views/palette.h"

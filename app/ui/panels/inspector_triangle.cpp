@@ -7,6 +7,7 @@
 #include "app/frame/scene_places.h"
 #include "app/frame/table_exports.h"
 #include "app/frame/table_rows.h"
+#include "app/model/exports.h"
 #include "app/ui/panels/inspector.h"
 #include "app/ui/panels/table_parts.h"
 #include "app/ui/widgets/widgets.h"

@@ -5,11 +5,12 @@
 
 #include "app/base/text.h"
 #include "app/frame/find_next.h"
-#include "app/frame/ray_stepping.h"
 #include "app/frame/scene_places.h"
 #include "app/frame/table_exports.h"
 #include "app/frame/table_rows.h"
+#include "app/model/exports.h"
 #include "app/model/held_ray.h"
+#include "app/model/ray_stepping.h"
 #include "app/report/pixel_brief.h"
 #include "app/ui/panels/inspector.h"
 #include "app/ui/panels/table_parts.h"

@@ -1,7 +1,7 @@
 // The tab Plots: one or two histograms, as the width allows, and the stage times of the last frames.
 #include "app/ui/panels/plots.h"
 
-#include "app/ui/viewport/panels.h"
+#include "app/ui/panels/panels.h"
 #include "app/ui/widgets/widgets.h"
 
 namespace gridscope {

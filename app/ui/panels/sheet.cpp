@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "app/base/text.h"
-#include "app/frame/table_exports.h"
+#include "app/model/exports.h"
 #include "app/model/flow.h"
 #include "app/ui/panels/table_parts.h"
 #include "app/ui/widgets/widgets.h"

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "app/base/text.h"
-#include "app/frame/ray_stepping.h"
+#include "app/model/ray_stepping.h"
 #include "app/ui/panels/table_parts.h"
 #include "app/ui/widgets/step_parts.h"
 #include "app/ui/widgets/widgets.h"

@@ -4,10 +4,10 @@
 #include <cmath>
 
 #include "app/base/text.h"
-#include "app/frame/ray_stepping.h"
 #include "app/model/held_ray.h"
+#include "app/model/ray_stepping.h"
+#include "app/ui/panels/panels.h"
 #include "app/ui/panels/step_timeline.h"
-#include "app/ui/viewport/panels.h"
 #include "app/ui/widgets/step_parts.h"
 #include "app/ui/widgets/widgets.h"
 #include "shaders/shared/views/palette.h"

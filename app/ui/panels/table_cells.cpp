@@ -1,8 +1,8 @@
 // The table of cells that were asked to take something.
 #include <cmath>
 
+#include "app/ui/panels/panels.h"
 #include "app/ui/panels/sheet.h"
-#include "app/ui/viewport/panels.h"
 #include "shaders/shared/views/palette.h"
 
 namespace gridscope {

@@ -1,8 +1,8 @@
 // The table of the scene's instances, with what a person can do to them: hide, and make dynamic.
 #include "app/frame/instance_edits.h"
+#include "app/ui/panels/panels.h"
 #include "app/ui/panels/sheet.h"
 #include "app/ui/panels/table_parts.h"
-#include "app/ui/viewport/panels.h"
 #include "app/ui/widgets/widgets.h"
 #include "shaders/shared/views/palette.h"
 

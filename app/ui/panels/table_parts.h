@@ -35,7 +35,4 @@ void smallText(std::string_view text, const ImVec4& colour);
 void rightNumber(std::string_view text, const ImVec4& colour);  // at the right of the column
 void leftNumber(std::string_view text, const ImVec4& colour);
 
-// 45 degree lines over a rectangle, clipped to it: what is saturated or refused.
-void hatch(ImDrawList* list, const ImVec2& low, const ImVec2& high, ImU32 colour);
-
 }  // namespace gridscope

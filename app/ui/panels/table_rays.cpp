@@ -1,7 +1,7 @@
 // The table of the frame's rays. Its order is the one that "previous ray" and "next ray" follow.
+#include "app/ui/panels/panels.h"
 #include "app/ui/panels/sheet.h"
 #include "app/ui/panels/truth_marks.h"
-#include "app/ui/viewport/panels.h"
 
 namespace gridscope {
 

@@ -1,6 +1,6 @@
 // The table of all triangles that the grid was to take.
+#include "app/ui/panels/panels.h"
 #include "app/ui/panels/sheet.h"
-#include "app/ui/viewport/panels.h"
 #include "shaders/shared/views/palette.h"
 
 namespace gridscope {

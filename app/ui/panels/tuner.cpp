@@ -4,12 +4,12 @@
 #include <algorithm>
 
 #include "app/base/text.h"
-#include "app/frame/table_exports.h"
 #include "app/model/comparison.h"
+#include "app/model/exports.h"
 #include "app/report/tune_report.h"
+#include "app/ui/panels/panels.h"
 #include "app/ui/panels/sheet.h"
 #include "app/ui/panels/table_parts.h"
-#include "app/ui/viewport/panels.h"
 #include "app/ui/widgets/widgets.h"
 
 namespace gridscope {

@@ -5,12 +5,14 @@
 #include <iterator>
 
 #include "app/base/text.h"
-#include "app/frame/ray_stepping.h"
 #include "app/frame/table_exports.h"
+#include "app/model/exports.h"
+#include "app/model/ray_stepping.h"
+#include "app/ui/panels/panels.h"
 #include "app/ui/panels/table_parts.h"
-#include "app/ui/shell/actions.h"
-#include "app/ui/viewport/panels.h"
+#include "app/ui/shell/layout.h"
 #include "app/ui/viewport/stale.h"
+#include "app/ui/widgets/action_button.h"
 #include "app/ui/widgets/widgets.h"
 
 namespace gridscope {

@@ -9,8 +9,8 @@
 
 #include "app/frame/arguments.h"
 #include "app/model/flow.h"
-#include "app/ui/shell/actions.h"
-#include "app/ui/viewport/panels.h"
+#include "app/ui/shell/layout.h"
+#include "app/ui/widgets/action_button.h"
 #include "app/ui/widgets/widgets.h"
 
 namespace gridscope {

@@ -5,7 +5,8 @@
 
 #include <algorithm>
 
-#include "app/ui/viewport/panels.h"
+#include "app/ui/panels/panels.h"
+#include "app/ui/viewport/viewport.h"
 #include "app/ui/widgets/widgets.h"
 
 namespace gridscope {
@@ -65,6 +66,17 @@ void drawRegion(const char* name, const Region& region, UiColour colour, ImVec2 
   ImGui::PopStyleVar();
   if (open) draw(model);
   ImGui::End();
+}
+
+// The viewport, or the tuner in its place.
+void drawCentre(WindowModel& model) {
+  if (model.workspace != Workspace::tune) return drawViewport(model);
+  const ImVec2 low = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
+  model.hoveredPixel.reset();
+  ImGui::SetCursorScreenPos({low.x + unit(10), low.y + unit(4)});
+  if (ImGui::BeginChild("tuner", {size.x - unit(20), size.y - unit(8)})) drawTuner(model);
+  ImGui::EndChild();
+  drawNotices(model, low, {low.x + size.x, low.y + size.y});
 }
 
 // Dragging changes `size` by the mouse's way along the axis, times `sign`; a double click brings back `usual`.
@@ -138,7 +150,7 @@ void drawLayout(WindowModel& model, float width, float height) {
   drawRegion("menu", regions.menu, UiColour::head, none, still | ImGuiWindowFlags_MenuBar, model, drawMenuBar);
   drawRegion("toolbar", regions.toolbar, UiColour::panel, {unit(8), unit(8)}, still, model, drawToolbar);
   drawRegion("settings", regions.left, UiColour::panel, sides, 0, model, drawSettingsPanel);
-  drawRegion("viewport", regions.centre, UiColour::window, none, still, model, drawViewport);
+  drawRegion("viewport", regions.centre, UiColour::window, none, still, model, drawCentre);
   drawRegion("bottom", regions.bottom, UiColour::panel, none, still, model, drawBottomTabs);
   drawRegion("inspector", regions.right, UiColour::panel, sides, 0, model, drawInspector);
   drawRegion("status", regions.status, UiColour::head, {unit(10), unit(3)}, still, model, drawStatusLine);

@@ -4,8 +4,8 @@
 
 #include "app/base/text.h"
 #include "app/model/flow.h"
-#include "app/ui/shell/actions.h"
-#include "app/ui/viewport/panels.h"
+#include "app/ui/shell/layout.h"
+#include "app/ui/widgets/action_button.h"
 #include "app/ui/widgets/widgets.h"
 #include "core/scene/built_in_scenes.h"
 #include "views/view.h"

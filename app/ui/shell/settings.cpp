@@ -7,8 +7,8 @@
 
 #include "app/base/text.h"
 #include "app/model/flow.h"
-#include "app/ui/shell/actions.h"
-#include "app/ui/viewport/panels.h"
+#include "app/ui/shell/layout.h"
+#include "app/ui/widgets/action_button.h"
 #include "app/ui/widgets/rows.h"
 #include "core/grid/derive.h"
 

@@ -8,8 +8,8 @@
 #include "app/frame/camera_moves.h"
 #include "app/frame/cell_boxes.h"
 #include "app/ui/panels/range_slider.h"
-#include "app/ui/shell/actions.h"
-#include "app/ui/viewport/panels.h"
+#include "app/ui/shell/layout.h"
+#include "app/ui/widgets/action_button.h"
 #include "app/ui/widgets/rows.h"
 
 namespace gridscope {

@@ -12,9 +12,9 @@
 #include "app/frame/search.h"
 #include "app/frame/table_rows.h"
 #include "app/model/flow.h"
-#include "app/ui/shell/actions.h"
-#include "app/ui/viewport/panels.h"
+#include "app/ui/shell/layout.h"
 #include "app/ui/viewport/stale.h"
+#include "app/ui/widgets/action_button.h"
 #include "app/ui/widgets/widgets.h"
 
 namespace gridscope {

@@ -16,11 +16,11 @@
 
 #include "app/model/flow.h"
 #include "app/model/preferences.h"
-#include "app/ui/shell/actions.h"
+#include "app/ui/shell/images.h"
 #include "app/ui/shell/input.h"
 #include "app/ui/shell/layout.h"
 #include "app/ui/shell/log.h"
-#include "app/ui/widgets/images.h"
+#include "app/ui/shell/run_key.h"
 #include "app/ui/widgets/theme.h"
 #include "app/worker/worker.h"
 #include "core/base/error.h"
@@ -290,6 +290,7 @@ class Window {
     for (const KeyPress& key : pressed) runKey(model_, key);
     advanceModel(model_);
     drawLayout(model_, float(size.width), float(size.height));
+    if (model_.clipboardWish) ImGui::SetClipboardText(std::exchange(model_.clipboardWish, std::nullopt)->c_str());
     logChanges(model_, logged_);
     ImGui::Render();
     showCursor(native_.handle());
@@ -330,7 +331,7 @@ class Window {
   NativeWindow native_;
   WindowDevice device_;
   WindowSwapchain swapchain_;
-  WindowImages images_;
+  DeviceImages images_;
   Interface interface_;
   WindowInput input_;
   FrameWorker worker_;

@@ -1,7 +1,8 @@
 // Handles at the centre of the selected instance that was made dynamic: dragged along an axis, or across the view from the middle.
 #pragma once
 
-#include "app/ui/viewport/panels.h"
+#include "app/model/window_model.h"
+#include "app/ui/widgets/pane_rect.h"
 
 namespace gridscope {
 

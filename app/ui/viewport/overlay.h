@@ -1,4 +1,4 @@
-// The parts of the overlays over the viewport (drawOverlays, panels.h).
+// The overlays over the viewport, and their parts.
 #pragma once
 
 #include "app/frame/cell_boxes.h"
@@ -9,6 +9,9 @@
 namespace gridscope {
 
 inline constexpr float kLeastCallout = 480.0f;  // width of a pane that has room for the ray's legend and callouts, pixels at UI scale 1
+
+// Over the picture of a view, clipped to the pane.
+void drawOverlays(const WindowModel& model, const PaneRect& pane);
 
 // The selected pixel's ray: cells it visited, segments by outcome, glyphs at its steps, the current step's triangles and callout.
 void drawRayOverlay(const WindowModel& model, const OverlayPainter& painter);

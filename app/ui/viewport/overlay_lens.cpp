@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "app/base/text.h"
-#include "app/frame/ray_stepping.h"
+#include "app/model/ray_stepping.h"
 #include "app/ui/viewport/overlay.h"
 #include "app/ui/widgets/widgets.h"
 

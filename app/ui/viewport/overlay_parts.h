@@ -6,7 +6,7 @@
 #include <span>
 
 #include "app/frame/projection.h"
-#include "app/ui/viewport/panels.h"
+#include "app/ui/widgets/pane_rect.h"
 
 namespace gridscope {
 

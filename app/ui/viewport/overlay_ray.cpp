@@ -4,8 +4,8 @@
 #include <set>
 
 #include "app/base/text.h"
-#include "app/frame/ray_stepping.h"
 #include "app/frame/table_rows.h"
+#include "app/model/ray_stepping.h"
 #include "app/ui/viewport/overlay.h"
 #include "app/ui/viewport/pane_parts.h"
 #include "app/ui/widgets/step_parts.h"

@@ -11,6 +11,7 @@
 
 #include "app/base/text.h"
 #include "app/frame/camera_moves.h"
+#include "app/model/selected_bounds.h"
 
 namespace gridscope {
 

@@ -1,15 +1,17 @@
-// The viewport: its bar, and one view, four linked views, or A beside B (pane.h draws each).
+// See viewport.h; pane.h draws each view.
+#include "app/ui/viewport/viewport.h"
+
 #include <algorithm>
 #include <cmath>
 
 #include "app/base/text.h"
 #include "app/frame/changes.h"
-#include "app/frame/ray_stepping.h"
 #include "app/model/flow.h"
 #include "app/model/held_ray.h"
-#include "app/ui/shell/actions.h"
+#include "app/model/ray_stepping.h"
 #include "app/ui/viewport/pane.h"
 #include "app/ui/viewport/steering.h"
+#include "app/ui/widgets/action_button.h"
 #include "app/ui/widgets/legend.h"
 #include "app/ui/widgets/widgets.h"
 
@@ -282,13 +284,6 @@ void drawToast(const WindowModel& model, ImVec2 low, ImVec2 high) {
 void drawViewport(WindowModel& model) {
   const ImVec2 low = ImGui::GetWindowPos(), size = ImGui::GetWindowSize(), high{low.x + size.x, low.y + size.y};
   model.hoveredPixel.reset();
-  if (model.workspace == Workspace::tune) {
-    ImGui::SetCursorScreenPos({low.x + unit(10), low.y + unit(4)});
-    if (ImGui::BeginChild("tuner", {size.x - unit(20), size.y - unit(8)})) drawTuner(model);
-    ImGui::EndChild();
-    drawWork(model, low, high);
-    return drawToast(model, low, high);
-  }
   const float bar = drawBar(model, low, size.x);
   const ImVec2 top{low.x, low.y + bar};
   bool overPane = false;
@@ -302,8 +297,12 @@ void drawViewport(WindowModel& model) {
   }
   steerCamera(model, overPane);
   drawSpeed(model, top, high);
-  drawWork(model, top, high);
-  drawToast(model, top, high);
+  drawNotices(model, top, high);
+}
+
+void drawNotices(WindowModel& model, ImVec2 low, ImVec2 high) {
+  drawWork(model, low, high);
+  drawToast(model, low, high);
 }
 
 }  // namespace gridscope

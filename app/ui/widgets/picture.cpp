@@ -17,6 +17,11 @@ struct Painted {
 
 }  // namespace
 
+WindowImages*& windowImages() {
+  static WindowImages* images = nullptr;
+  return images;
+}
+
 std::shared_ptr<const Pipeline::ViewImage> imageOf(const PanePicture& picture) {
   if (!picture.frame) return nullptr;
   const auto found = picture.frame->views.find(picture.view);

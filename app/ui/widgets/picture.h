@@ -1,8 +1,13 @@
 // The picture of a view as a texture, painted anew when its values, its range or the colour map changed.
 #pragma once
 
-#include "app/ui/viewport/panels.h"
-#include "views/view.h"
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "app/frame/snapshot.h"
+#include "app/ui/widgets/pane_rect.h"
+#include "views/picture.h"
 
 namespace gridscope {
 

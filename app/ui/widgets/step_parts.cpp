@@ -4,9 +4,8 @@
 #include <algorithm>
 #include <vector>
 
-#include "app/frame/ray_stepping.h"
 #include "app/model/held_ray.h"
-#include "app/ui/panels/table_parts.h"
+#include "app/model/ray_stepping.h"
 #include "app/ui/widgets/widgets.h"
 #include "shaders/shared/views/palette.h"
 

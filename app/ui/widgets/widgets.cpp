@@ -186,4 +186,15 @@ void emptyState(const char* sentence) {
   ImGui::PopStyleColor();
 }
 
+void hatch(ImDrawList* list, const ImVec2& low, const ImVec2& high, ImU32 colour) {
+  if (high.x <= low.x || high.y <= low.y) return;
+  list->PushClipRect(low, high, true);
+  const float step = unit(5), height = high.y - low.y;
+  // Lines start at multiples of the step on the screen, so that neighbouring rectangles share one pattern.
+  const float first = step * std::floor((low.x + low.y) / step);
+  for (float sum = first; sum < high.x + high.y + step; sum += step)
+    list->AddLine(ImVec2(sum - low.y, low.y), ImVec2(sum - low.y - height, high.y), colour, unit(1.5f));
+  list->PopClipRect();
+}
+
 }  // namespace gridscope

@@ -46,4 +46,7 @@ bool sectionHeader(const char* title, std::string_view right = "",
 bool tableSection(const char* title, std::string_view right, size_t rows, bool& csv);
 void emptyState(const char* sentence);  // one dim sentence with the action
 
+// 45 degree lines over a rectangle, clipped to it: what is saturated or refused.
+void hatch(ImDrawList* list, const ImVec2& low, const ImVec2& high, ImU32 colour);
+
 }  // namespace gridscope

@@ -1,12 +1,17 @@
-// See view_save.h.
-#include "app/frame/view_save.h"
+// See exports.h.
+#include "app/model/exports.h"
 
 #include <algorithm>
 #include <filesystem>
+#include <span>
 
 #include "app/base/text.h"
-#include "app/report/report.h"
+#include "app/frame/sheet.h"
+#include "app/session/settings_table.h"
+#include "core/base/error.h"
 #include "core/base/image_file.h"
+#include "core/base/write_file.h"
+#include "views/picture.h"
 #include "views/view.h"
 
 namespace gridscope {
@@ -34,6 +39,25 @@ void saveView(WindowModel& model, const std::string& name) {
     writePng(file.string(), makeViewPicture(*view, image->elements, image->width, image->height, picture).picture);
     return "Wrote " + file.string();
   });
+}
+
+void exportCsv(WindowModel& model, const std::string& table, size_t rowCount, std::function<std::string()> csv) {
+  const std::string scene = model.frame && model.frame->scene ? model.frame->scene->name : "scene";
+  const std::filesystem::path file = model.files.claim(std::filesystem::absolute(csvName(scene, table)));
+  model.files.start([file, rowCount, csv = std::move(csv)] {
+    const std::string text = csv();
+    try {
+      writeWholeFile(file, std::as_bytes(std::span(text)));
+    } catch (const Error& error) {
+      throw error.within(file.string());
+    }
+    return "Exported " + grouped(rowCount) + (rowCount == 1 ? " row to " : " rows to ") + file.string();
+  });
+}
+
+void exportCsv(WindowModel& model, const std::string& table, CsvRows rows) {
+  const size_t rowCount = rows.size() - 1;
+  exportCsv(model, table, rowCount, [rows = std::move(rows)] { return csvText(rows); });
 }
 
 }  // namespace gridscope

@@ -1,5 +1,5 @@
 // See images.h.
-#include "app/ui/widgets/images.h"
+#include "app/ui/shell/images.h"
 
 #include <algorithm>
 #include <cstring>
@@ -25,12 +25,7 @@ VkShaderModule makeModule(const WindowDevice& device, const char* stem) {
 
 }  // namespace
 
-WindowImages*& windowImages() {
-  static WindowImages* images = nullptr;
-  return images;
-}
-
-WindowImages::WindowImages(const WindowDevice& device, VkRenderPass renderPass) : device_(device), vk_(device.vulkan()) {
+DeviceImages::DeviceImages(const WindowDevice& device, VkRenderPass renderPass) : device_(device), vk_(device.vulkan()) {
   for (int i = 0; i < 2; ++i) {
     VkSamplerCreateInfo info{VK_STRUCTURE_TYPE_SAMPLER_CREATE_INFO};
     info.magFilter = info.minFilter = i == 0 ? VK_FILTER_NEAREST : VK_FILTER_LINEAR;
@@ -52,7 +47,7 @@ WindowImages::WindowImages(const WindowDevice& device, VkRenderPass renderPass) 
   makePipeline(renderPass);
 }
 
-WindowImages::~WindowImages() {
+DeviceImages::~DeviceImages() {
   vk_.DeviceWaitIdle(device_.device());
   for (Draw* draw : draws_) delete draw;
   for (auto& [key, texture] : textures_) destroyTexture(texture);
@@ -67,7 +62,7 @@ WindowImages::~WindowImages() {
   for (VkSampler sampler : samplers_) vk_.DestroySampler(device_.device(), sampler, nullptr);
 }
 
-void WindowImages::makePipeline(VkRenderPass renderPass) {
+void DeviceImages::makePipeline(VkRenderPass renderPass) {
   VkPushConstantRange range{VK_SHADER_STAGE_VERTEX_BIT, 0, 8 * sizeof(float)};
   VkPipelineLayoutCreateInfo layout{VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO};
   layout.setLayoutCount = 1;
@@ -124,7 +119,7 @@ void WindowImages::makePipeline(VkRenderPass renderPass) {
   vk_.DestroyShaderModule(device_.device(), fragment, nullptr);
 }
 
-void WindowImages::set(const std::string& key, uint32_t width, uint32_t height, std::span<const uint8_t> rgba) {
+void DeviceImages::set(const std::string& key, uint32_t width, uint32_t height, std::span<const uint8_t> rgba) {
   CHECK_EQ(rgba.size(), size_t{4} * width * height);
   if (width == 0 || height == 0 || (!has(key) && textures_.size() >= kMostTextures)) return;
   Texture& texture = textures_[key];
@@ -140,7 +135,7 @@ void WindowImages::set(const std::string& key, uint32_t width, uint32_t height, 
   texture.waiting.assign(rgba.begin(), rgba.end());
 }
 
-void WindowImages::makeTexture(Texture& texture) {
+void DeviceImages::makeTexture(Texture& texture) {
   VkImageCreateInfo info{VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO};
   info.imageType = VK_IMAGE_TYPE_2D;
   info.format = kFormat;
@@ -180,7 +175,7 @@ void WindowImages::makeTexture(Texture& texture) {
   texture.filled = false;
 }
 
-void WindowImages::destroyTexture(Texture& texture) {
+void DeviceImages::destroyTexture(Texture& texture) {
   vk_.FreeDescriptorSets(device_.device(), pool_, 2, texture.sets);
   vk_.DestroyImageView(device_.device(), texture.view, nullptr);
   vk_.DestroyImage(device_.device(), texture.image, nullptr);
@@ -189,7 +184,7 @@ void WindowImages::destroyTexture(Texture& texture) {
 }
 
 // The frame that used this buffer before is done: its fence was waited for.
-void WindowImages::reserveStaging(Staging& staging, VkDeviceSize bytes) {
+void DeviceImages::reserveStaging(Staging& staging, VkDeviceSize bytes) {
   if (staging.bytes >= bytes) return;
   vk_.DestroyBuffer(device_.device(), staging.buffer, nullptr);
   vk_.FreeMemory(device_.device(), staging.memory, nullptr);
@@ -211,7 +206,7 @@ void WindowImages::reserveStaging(Staging& staging, VkDeviceSize bytes) {
   staging.bytes = bytes;
 }
 
-void WindowImages::upload(VkCommandBuffer commands, uint32_t frame) {
+void DeviceImages::upload(VkCommandBuffer commands, uint32_t frame) {
   VkDeviceSize bytes = 0;
   for (const auto& [key, texture] : textures_) bytes += texture.waiting.size();
   if (bytes == 0) return;
@@ -248,7 +243,7 @@ void WindowImages::upload(VkCommandBuffer commands, uint32_t frame) {
   }
 }
 
-void WindowImages::draw(ImDrawList& list, const std::string& key, ImVec2 low, ImVec2 high, ImVec2 uvLow, ImVec2 uvHigh) {
+void DeviceImages::draw(ImDrawList& list, const std::string& key, ImVec2 low, ImVec2 high, ImVec2 uvLow, ImVec2 uvHigh) {
   const auto found = textures_.find(key);
   if (found == textures_.end()) return;
   const Texture& texture = found->second;
@@ -259,22 +254,22 @@ void WindowImages::draw(ImDrawList& list, const std::string& key, ImVec2 low, Im
   list.AddCallback(ImDrawCallback_ResetRenderState, nullptr);
 }
 
-void WindowImages::beginFrame() {
+void DeviceImages::beginFrame() {
   for (Draw* draw : draws_) delete draw;
   draws_.clear();
 }
 
-void WindowImages::beginDrawing(VkCommandBuffer commands, VkExtent2D extent) {
+void DeviceImages::beginDrawing(VkCommandBuffer commands, VkExtent2D extent) {
   commands_ = commands;
   extent_ = extent;
 }
 
-void WindowImages::drawCallback(const ImDrawList*, const ImDrawCmd* command) {
+void DeviceImages::drawCallback(const ImDrawList*, const ImDrawCmd* command) {
   const Draw& draw = *static_cast<const Draw*>(command->UserCallbackData);
   draw.images->record(draw, command->ClipRect);
 }
 
-void WindowImages::record(const Draw& draw, const ImVec4& clip) {
+void DeviceImages::record(const Draw& draw, const ImVec4& clip) {
   const int left = std::max(0, int(clip.x)), top = std::max(0, int(clip.y));
   const int right = std::min(int(extent_.width), int(clip.z)), bottom = std::min(int(extent_.height), int(clip.w));
   if (right <= left || bottom <= top) return;

@@ -1,22 +1,18 @@
 // See actions.h.
-#include "app/ui/shell/actions.h"
-
-#define GLFW_INCLUDE_NONE
-#include <GLFW/glfw3.h>
+#include "app/model/actions.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cstring>
 
 #include "app/base/text.h"
 #include "app/frame/arguments.h"
 #include "app/frame/camera_moves.h"
 #include "app/frame/changes.h"
-#include "app/frame/ray_stepping.h"
-#include "app/frame/view_save.h"
 #include "app/model/comparison.h"
+#include "app/model/exports.h"
 #include "app/model/flow.h"
-#include "app/ui/widgets/widgets.h"
+#include "app/model/ray_stepping.h"
+#include "app/model/selected_bounds.h"
 #include "core/base/error.h"
 
 namespace gridscope {
@@ -57,7 +53,7 @@ void openReportDialog(WindowModel& m) {
 void copyCommand(WindowModel& m) {
   std::vector<std::string> words = frameArguments(requestOf(m));
   words.insert(words.begin(), {"gridscope", "render"});
-  ImGui::SetClipboardText(shellText(words).c_str());
+  m.clipboardWish = shellText(words);
   m.showMessage("Copied: " + shellText(words));
 }
 
@@ -205,30 +201,6 @@ constexpr Action kActions[] = {
     {"Help", "All keys", "?", "This list.", nullptr, [](WindowModel& m) { m.helpOpen = !m.helpOpen; }},
 };
 
-KeyPress pressOf(std::string_view text) {
-  KeyPress press;
-  const auto take = [&](std::string_view prefix) {
-    const bool there = text.starts_with(prefix);
-    if (there) text.remove_prefix(prefix.size());
-    return there;
-  };
-  press.control = take("Ctrl+");
-  press.alt = take("Alt+");
-  press.shift = take("Shift+");
-  static constexpr std::pair<std::string_view, int> kNames[] = {
-      {"Right", GLFW_KEY_RIGHT}, {"Left", GLFW_KEY_LEFT},      {"Up", GLFW_KEY_UP},
-      {"Down", GLFW_KEY_DOWN},   {"PageUp", GLFW_KEY_PAGE_UP}, {"PageDown", GLFW_KEY_PAGE_DOWN},
-      {"Tab", GLFW_KEY_TAB},     {"Home", GLFW_KEY_HOME},      {"End", GLFW_KEY_END},
-      {"Space", GLFW_KEY_SPACE}, {"Enter", GLFW_KEY_ENTER},    {"Escape", GLFW_KEY_ESCAPE},
-      {"F5", GLFW_KEY_F5},       {"F6", GLFW_KEY_F6},          {"F12", GLFW_KEY_F12}};
-  for (const auto& [name, code] : kNames)
-    if (text == name) press.key = code;
-  if (press.key == 0 && text.size() == 1) press.key = text[0];
-  return press;
-}
-
-std::string whyNot(const WindowModel& model, const Action& action) { return action.whyNot ? action.whyNot(model) : ""; }
-
 }  // namespace
 
 std::span<const Action> allActions() { return kActions; }
@@ -240,49 +212,6 @@ const Action& action(const char* name) {
   return kActions[0];
 }
 
-void runKey(WindowModel& model, const KeyPress& pressed) {
-  const bool functionKey = pressed.key >= GLFW_KEY_F1 && pressed.key <= GLFW_KEY_F25;
-  if (ImGui::GetIO().WantTextInput && !functionKey && !(pressed.control && (pressed.key == 'Q' || pressed.key == 'F'))) return;
-  if (model.flying && !pressed.control) return;
-  if (model.walked != 0 && pressed.key == GLFW_KEY_ESCAPE) return void(model.walked = 0);
-  if (model.walked != 0 && !pressed.control && !pressed.alt && !functionKey) return;
-  if (pressed.key == GLFW_KEY_F1) return runKey(model, {'?'});
-  for (const Action& one : kActions) {
-    const KeyPress press = pressOf(one.key);
-    if (press.key == 0 || press.key != pressed.key || press.control != pressed.control || press.alt != pressed.alt) continue;
-    // Signs are typed with Shift on some keyboards; elsewhere it tells two actions apart.
-    if (pressed.control && (press.key == GLFW_KEY_TAB || std::isalpha(press.key)) && press.shift != pressed.shift) continue;
-    const std::string why = whyNot(model, one);
-    if (why.empty())
-      one.run(model);
-    else
-      model.showMessage(std::string(one.name) + ": " + why);
-    return;
-  }
-}
-
-void actionTooltip(const WindowModel& model, const Action& one) {
-  if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
-  const std::string why = whyNot(model, one);
-  ImGui::BeginTooltip();
-  ImGui::PushTextWrapPos(unit(340));
-  ImGui::Text("%s%s%s", one.about, *one.key ? "  " : "", one.key);
-  if (!why.empty()) textDim(why);
-  ImGui::PopTextWrapPos();
-  ImGui::EndTooltip();
-}
-
-void actionButton(WindowModel& model, const char* name, const char* label) {
-  const Action& one = action(name);
-  const bool enabled = whyNot(model, one).empty();
-  if (keyButton(label ? label : one.name, one.key, enabled)) one.run(model);
-  actionTooltip(model, one);
-}
-
-void actionEntry(WindowModel& model, const Action& one) {
-  const bool enabled = whyNot(model, one).empty();
-  if (ImGui::MenuItem(one.name, one.key, false, enabled)) one.run(model);
-  actionTooltip(model, one);
-}
+std::string whyNot(const WindowModel& model, const Action& action) { return action.whyNot ? action.whyNot(model) : ""; }
 
 }  // namespace gridscope

@@ -4,24 +4,10 @@
 
 #include <optional>
 
+#include "app/frame/step_search.h"
 #include "app/model/window_model.h"
 
 namespace gridscope {
-
-// What "run to the next" looks for.
-enum class StepSearch {
-  nonEmpty,   // the segment starts in a cell that holds references; read, or skipped as the cell visited last
-  tested,     // references were tested
-  saturated,  // the cell refused references
-  revisit,    // the segment starts in the cell visited last
-  voxelHit    // the ray ends there with a voxel hit
-};
-
-// The first such step after `from` (direction 1) or before it (-1); nothing: there is none.
-std::optional<uint32_t> nextStep(const RayRecord& record, uint32_t from, StepSearch search, int direction = 1);
-
-// Why a search from the selected step found none, one sentence.
-const char* noSuchStep(StepSearch search, int direction = 1);
 
 // The selected ray (held_ray.h), as a plain pointer.
 const RecordedRay* shownRecord(const WindowModel& model);
