@@ -3,8 +3,8 @@
 
 #include <string_view>
 
-#include "core/grid/settings.h"
 #include "core/scene/built_in_scenes.h"
+#include "core/trace/settings.h"
 
 namespace gridscope {
 

@@ -40,6 +40,8 @@ def room_of(path, needs):
         return folder
     if folder.startswith("shaders/"):
         return folder
+    if folder.startswith("core/") and folder.count("/") == 2:
+        folder = folder.rsplit("/", 1)[0]  # a room's own folder for one subject, as core/gpu/grid
     return folder if folder in needs or folder.split("/")[0] in ("app", "core", "views") else None
 
 
@@ -52,7 +54,9 @@ def allowed_rooms(room, needs):
         shared = {"shaders/shared/" + n for n in names}
         if room.startswith("shaders/shared/"):
             return shared
-        return shared | {"shaders/" + n for n in names} | {room} | ({"views"} if name == "views" else set())
+        # Every pass exchanges its buffers with core/gpu.
+        shared |= {"shaders/shared/" + r.split("/")[-1] for r in closure("core/gpu", needs)}
+        return shared | {"shaders/" + n for n in names} | {"shaders/gpu", room} | ({"views"} if name == "views" else set())
     if room == "app":
         rooms = set(needs)
     else:

@@ -8,7 +8,9 @@
 #include "core/grid/build.h"
 #include "core/grid/derive.h"
 #include "core/grid/invariants.h"
+#include "core/trace/derive.h"
 #include "core/trace/trace.h"
+#include "tests/grid_words.h"
 
 namespace gridscope {
 
@@ -114,8 +116,8 @@ inline Ray makeRay(const vec3& origin, const vec3& direction, const vec3& launch
 inline std::vector<uint32_t> storedReferences(const Grid& grid, const ivec3& cell) {
   std::vector<uint32_t> references;
   for (int slot = 0; slot < grid.parameters.capacity; ++slot) {
-    const uint32_t reference = grid.at(gridTexel(grid.parameters, cell, slot));
-    if (reference == kBlank) break;
+    const uint32_t reference = slotAt(grid, cell, slot);
+    if (reference == kNoReference) break;
     references.push_back(reference);
   }
   return references;

@@ -9,6 +9,6 @@
 #else
 ViewElement viewElement(uint pixel) {
   GatherPixel seen = gatherPixels[pixel];
-  return seen.reference == kBlank ? noElement() : valueElement(seen.depth);
+  return seen.reference == kNoReference ? noElement() : valueElement(seen.depth);
 }
 #endif

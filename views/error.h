@@ -10,7 +10,7 @@
 #else
 ViewElement viewElement(uint pixel) {
   RayTruth truth = truthOf(pixel);
-  bool both = truth.exactReference != kBlank && (hits[pixel].kind == kHitTriangle || hits[pixel].kind == kHitVoxel);
+  bool both = truth.exactReference != kNoReference && (hits[pixel].kind == kHitTriangle || hits[pixel].kind == kHitVoxel);
   return both ? valueElement(abs(truth.error)) : noElement();
 }
 #endif

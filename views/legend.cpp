@@ -7,8 +7,8 @@
 #include <iterator>
 
 #include "core/base/error.h"
-#include "shaders/shared/truth/truth_colours.h"
 #include "shaders/shared/views/palette.h"
+#include "shaders/shared/views/truth_colours.h"
 #include "views/fonts.h"
 
 namespace gridscope {

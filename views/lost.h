@@ -10,7 +10,7 @@
 #else
 ViewElement viewElement(uint pixel) {
   GatherPixel seen = gatherPixels[pixel];
-  if (seen.reference == kBlank) return noElement();
+  if (seen.reference == kNoReference) return noElement();
   uint cost = costOf(seen.reference);
   if (cost == 0u) return litElement(paintedElement(colourElement(unpackColour(kColourLine)), seen), 0.5);
   return paintedElement(valueElement(float(cost)), seen);

@@ -11,7 +11,7 @@
 #else
 ViewElement viewElement(uint pixel) {
   GatherPixel seen = gatherPixels[pixel];
-  if (seen.reference == kBlank) return noElement();
+  if (seen.reference == kNoReference) return noElement();
   ivec3 cell = surfaceCell(seen);
   if (!gridContains(gridParameters(), cell)) return noElement();
   return paintedElement(occupancyElement(cell), seen);

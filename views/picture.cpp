@@ -6,6 +6,8 @@
 
 #include "core/base/error.h"
 #include "core/pipeline/pipeline.h"
+#include "shaders/shared/grid/slice.h"
+#include "shaders/shared/views/element_colour.h"
 #include "views/legend.h"
 
 namespace gridscope {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/base/image_file.h"
-#include "shaders/shared/views/view_element.h"
+#include "shaders/shared/base/view_element.h"
 #include "views/view.h"
 
 namespace gridscope {

@@ -12,7 +12,7 @@
 ViewElement viewElement(uint pixel) {
   if (rayChanges(pixel)) return colourElement(unpackColour(kColourRayChanges));
   GatherPixel seen = gatherPixels[pixel];
-  if (seen.reference == kBlank) return noElement();
+  if (seen.reference == kNoReference) return noElement();
   ivec3 cell = surfaceCell(seen);
   uint stability = gridContains(gridParameters(), cell) ? stabilityOf(cell) : kStable;
   if (stability == kStable) return litElement(colourElement(toneMapped(finalLight(pixel))), 1.0 / 3.0);

@@ -8,7 +8,7 @@
 #else
 ViewElement viewElement(uint pixel) {
   GatherPixel seen = gatherPixels[pixel];
-  if (seen.reference == kBlank) return noElement();
+  if (seen.reference == kNoReference) return noElement();
   return paintedElement(colourElement(idColour(seen.reference)), seen);
 }
 #endif

@@ -13,11 +13,11 @@
 #else
 ViewElement viewElement(uint pixel) {
   GatherPixel seen = gatherPixels[pixel];
-  if (seen.reference == kBlank) return noElement();
+  if (seen.reference == kNoReference) return noElement();
   ivec3 cell = surfaceCell(seen);
-  CellUpdate update = CellUpdate(0u, 0u, 0u, kBlank);
+  CellUpdate update = CellUpdate(0u, 0u, 0u, kNoReference);
   if (gridContains(gridParameters(), cell)) update = updateOf(cell);
-  if (update.instance == kBlank) return litElement(colourElement(toneMapped(finalLight(pixel))), 1.0 / 3.0);
+  if (update.instance == kNoReference) return litElement(colourElement(toneMapped(finalLight(pixel))), 1.0 / 3.0);
   return paintedElement(updateElement(update, uvec2(pixel % parameters.view.width, pixel / parameters.view.width)), seen);
 }
 #endif

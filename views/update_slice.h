@@ -14,7 +14,7 @@ ViewElement viewElement(uint element) {
   ivec3 cell = sliceCell(gridParameters().cellCount, parameters.view.sliceAxis, parameters.view.sliceIndex, element);
   if (!gridContains(gridParameters(), cell)) return noElement();
   CellUpdate update = updateOf(cell);
-  if (update.instance == kBlank) return noElement();
+  if (update.instance == kNoReference) return noElement();
   return updateElement(update, uvec2(4u, 0u));
 }
 #endif

@@ -9,7 +9,7 @@
 ViewElement viewElement(uint pixel) {
   GatherPixel seen = gatherPixels[pixel];
   if (hits[pixel].kind == kHitVoxel) return colourElement(toneMapped(bounceLight(pixel, seen.depth, 0.0)));
-  if (seen.reference == kBlank) return noElement();
+  if (seen.reference == kNoReference) return noElement();
   return litElement(paintedElement(colourElement(unpackColour(kColourLine)), seen), 0.5);
 }
 #endif

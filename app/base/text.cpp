@@ -3,22 +3,10 @@
 
 #include <algorithm>
 #include <cctype>
-#include <cstdarg>
 
 #include "core/base/error.h"
 
 namespace gridscope {
-
-std::string printed(const char* format, ...) {
-  va_list arguments, again;
-  va_start(arguments, format);
-  va_copy(again, arguments);
-  std::string text(static_cast<size_t>(std::vsnprintf(nullptr, 0, format, arguments)), '\0');
-  std::vsnprintf(text.data(), text.size() + 1, format, again);
-  va_end(again);
-  va_end(arguments);
-  return text;
-}
 
 std::string grouped(uint64_t number) {
   std::string text = std::to_string(number);

@@ -7,10 +7,9 @@
 #include <string_view>
 #include <vector>
 
-namespace gridscope {
+#include "core/base/text.h"
 
-// As printf, into a string.
-[[gnu::format(printf, 1, 2)]] std::string printed(const char* format, ...);
+namespace gridscope {
 
 std::string grouped(uint64_t number);                              // "1,234,567"
 std::string percentOf(uint64_t part, uint64_t whole);              // "12.3 %"; "0 %" of nothing

@@ -3,7 +3,7 @@
 #include "app/commands/commands.h"
 #include "app/report/report.h"
 #include "core/base/error.h"
-#include "core/base/statistics.h"
+#include "core/trace/statistics.h"
 
 namespace gridscope {
 

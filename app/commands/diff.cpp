@@ -13,7 +13,7 @@ namespace gridscope {
 // The first frame whose grids or hits differ and have one shape; nothing when there is none.
 static std::optional<TwoSides> firstDifferent(const Capture& a, const Capture& b, const CaptureDifferences& differences) {
   for (const FrameDifferences& frame : differences.frames) {
-    const bool grids = frame.cells.different() > 0 && a.grid.stride == b.grid.stride && a.grid.stretchAxis == b.grid.stretchAxis;
+    const bool grids = frame.cells.different() > 0 && storedAlike(a.grid, b.grid);
     if (frame.hits.different() == 0 && !grids) continue;
     TwoSides sides{.hitsA = {}, .hitsB = {}, .gridA = {a.grid, a.frames[frame.frame].grid}, .gridB = {b.grid, b.frames[frame.frame].grid}};
     sides.width = a.settings.width, sides.height = a.settings.height;

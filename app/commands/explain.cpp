@@ -38,7 +38,7 @@ ExplainReport emptyExplain(const Session& session, const Options& options) {
   ExplainReport report;
   report.frameNumber = options.frame;
   report.width = session.pipeline().settings().width;
-  report.countsRefused = session.pipeline().parameters().grid.reserved == 2;
+  report.countsRefused = gridAbilities(session.pipeline().parameters().grid).countsRefusals;
   if (options.verify) report.proofs.emplace();
   if (session.hasCapturedHits(options.frame)) report.foreignHits = 0;
   return report;

@@ -50,8 +50,7 @@ void printStatistics(std::FILE* out, const Capture& capture, const CaptureStatis
   table.add({"  frames", printed("%zu of %u x %u pixels", s.frames, capture.settings.width, capture.settings.height)});
   table.add({"  scene", printed("%s: %s triangles, %u instances (%u static)", capture.names.scene.c_str(), grouped(s.triangles).c_str(),
                                 s.instances, s.staticInstances)});
-  table.add({"  grid", gridText(capture.grid) + printed(", stretched along %c, %d reserved texels a cell", "xyz"[capture.grid.stretchAxis],
-                                                        capture.grid.reserved)});
+  table.add({"  grid", gridText(capture.grid) + ", " + storageText(capture.grid) + ", " + refusalText(capture.grid)});
   if (s.grid)
     table.add({"  references", printed("%s stored, %s refused; %s cells occupied, %s saturated", grouped(s.grid->stored()).c_str(),
                                        grouped(s.grid->refused()).c_str(), grouped(s.grid->statistics.occupied).c_str(),

@@ -6,6 +6,7 @@
 #include "core/base/error.h"
 #include "core/capture/compare.h"
 #include "core/checks/record_check.h"
+#include "shaders/shared/trace/triangle_test.h"
 
 namespace gridscope {
 

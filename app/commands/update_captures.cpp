@@ -36,7 +36,7 @@ CaptureFrame remadeFrame(Pipeline& pipeline, const Capture& capture, size_t inde
     pipeline.useGrid(old.grid);
   const CaptureProducts held = heldProducts(capture);
   CaptureFrame frame = old;
-  if (held.grid && builtHere(capture)) frame.grid = pipeline.grid().texels;
+  if (held.grid && builtHere(capture)) frame.grid = pipeline.grid().words;
   if (!held.rays) return frame;
   pipeline.useRays(old.rays);
   pipeline.trace(true);

@@ -3,7 +3,7 @@
 
 #include <span>
 
-#include "shaders/shared/grid/grid.h"
+#include "shaders/shared/base/language.h"
 
 namespace gridscope {
 

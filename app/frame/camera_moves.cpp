@@ -27,7 +27,7 @@ void aimCamera(CameraState& camera, const FrameSnapshot& frame) {
   if (!frame.gather || !frame.request.settings) return;
   const FrameSettings& settings = *frame.request.settings;
   const size_t middle = size_t(settings.height / 2) * settings.width + settings.width / 2;
-  if (middle >= frame.gather->size() || (*frame.gather)[middle].reference == kBlank) return;
+  if (middle >= frame.gather->size() || (*frame.gather)[middle].reference == kNoReference) return;
   const vec3 forward = glm::normalize(camera.pose.target - camera.pose.eye);
   camera.pose.target = camera.pose.eye + forward * std::max((*frame.gather)[middle].depth, 1e-4f);
 }

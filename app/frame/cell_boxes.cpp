@@ -26,7 +26,7 @@ std::vector<BoxCell> occupiedCells(const Grid& grid, std::span<const CellRays> r
   for (cell.z = 0; cell.z < count.z; ++cell.z)
     for (cell.y = 0; cell.y < count.y; ++cell.y)
       for (cell.x = 0; cell.x < count.x; ++cell.x, ++number) {
-        const BoxCell box{fullnessOf(grid, cell), number < rays.size() ? rays[number] : CellRays{}};
+        const BoxCell box{cellFacts(grid, cell), number < rays.size() ? rays[number] : CellRays{}};
         if (box.full.tried() > 0 || box.rays.read > 0 || box.rays.empty > 0) cells.push_back(box);
       }
   return cells;
@@ -52,7 +52,7 @@ BoxChoice chooseBoxes(std::span<const BoxCell> occupied, const GridParameters& g
   const BoxMeasure& measure = boxMeasure(overlays);
   std::vector<Candidate> candidates;
   for (uint32_t i = 0; i < occupied.size(); ++i) {
-    const FullCell& cell = occupied[i].full;
+    const CellFacts& cell = occupied[i].full;
     const int64_t value = measure.value(occupied[i]);
     const bool inRange = value >= overlays.boxRange[0] && value <= overlays.boxRange[1];
     if (!(overlays.cellBoxes && inRange) && !(overlays.saturatedBoxes && cell.saturated)) continue;
@@ -79,7 +79,7 @@ std::vector<BoxEdge> boxEdgesOf(std::span<const BoxCell> cells, const GridParame
   std::vector<BoxEdge> edges;
   const uint64_t sideX = uint64_t(grid.cellCount.x) + 1, sideY = uint64_t(grid.cellCount.y) + 1;
   for (const BoxCell& box : cells) {
-    const FullCell& cell = box.full;
+    const CellFacts& cell = box.full;
     const std::array<WorldLine, 12> lines = boxEdges(cellBounds(grid, cell.cell));
     for (int axis = 0; axis < 3; ++axis)
       for (int side = 0; side < 4; ++side) {

@@ -12,7 +12,7 @@
 namespace gridscope {
 
 struct BoxCell {
-  FullCell full;
+  CellFacts full;
   CellRays rays{};  // 0 until they were counted
 };
 

@@ -27,7 +27,7 @@ static std::vector<uint32_t> cellValues(const Grid& grid, bool refusedToo) {
   const ivec3 count = grid.parameters.cellCount;
   std::vector<uint32_t> values;
   for (uint32_t id = 0; id < uint32_t(count.x) * uint32_t(count.y) * uint32_t(count.z); ++id) {
-    const FullCell cell = fullnessOf(grid, cellOfId(grid.parameters, id));
+    const CellFacts cell = cellFacts(grid, cellOfId(grid.parameters, id));
     if (cell.tried() > 0) values.push_back(refusedToo ? cell.tried() : cell.stored);
   }
   return values;

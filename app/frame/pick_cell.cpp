@@ -34,7 +34,7 @@ std::optional<ivec3> pickCell(const FrameSnapshot& frame, const CameraParameters
   const GatherPixel* seen = nullptr;
   if (pixel.x >= 0.0f && pixel.y >= 0.0f && pixel.x < float(camera.width) && pixel.y < float(camera.height) && frame.gather) {
     const size_t index = size_t(pixel.y) * camera.width + size_t(pixel.x);
-    if (index < frame.gather->size() && (*frame.gather)[index].reference != kBlank) seen = &(*frame.gather)[index];
+    if (index < frame.gather->size() && (*frame.gather)[index].reference != kNoReference) seen = &(*frame.gather)[index];
   }
 
   // The nearest box that the surface does not hide.

@@ -1,5 +1,6 @@
 // See projection.h.
 #include "app/frame/projection.h"
+#include "shaders/shared/grid/grid.h"
 
 #include <algorithm>
 #include <cmath>
@@ -37,7 +38,7 @@ bool hiddenAt(const CameraParameters& camera, std::span<const GatherPixel> gathe
   const auto x = static_cast<uint32_t>(point.pixel.x), y = static_cast<uint32_t>(point.pixel.y);
   if (x >= camera.width || y >= camera.height) return false;
   const GatherPixel& seen = gather[size_t(y) * camera.width + x];
-  return seen.reference != kBlank && point.depth > seen.depth + bias;
+  return seen.reference != kNoReference && point.depth > seen.depth + bias;
 }
 
 // Pixels between two looks at the gather buffer, and the most looks of one line.

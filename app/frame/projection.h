@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/scene/scene.h"
-#include "shaders/shared/grid/grid.h"
+#include "shaders/shared/trace/frame.h"
 
 namespace gridscope {
 

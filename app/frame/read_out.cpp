@@ -4,6 +4,7 @@
 #include "app/base/text.h"
 #include "app/frame/find_next.h"
 #include "app/frame/view_paint.h"
+#include "shaders/shared/grid/slice.h"
 
 namespace gridscope {
 
@@ -22,7 +23,7 @@ std::vector<std::string> readOutParts(const FrameSnapshot& frame, const View& vi
   if (view.range != ViewRange::none) parts.push_back(value);
   if (!frame.gather || index >= frame.gather->size()) return parts;
   const GatherPixel& seen = (*frame.gather)[index];
-  if (seen.reference == kBlank) {
+  if (seen.reference == kNoReference) {
     parts.push_back("nothing seen");
     return parts;
   }

@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "core/grid/settings.h"
 #include "core/pipeline/pipeline.h"
 #include "core/scene/scene.h"
+#include "core/trace/settings.h"
 
 namespace gridscope {
 

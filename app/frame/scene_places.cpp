@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "app/frame/find_next.h"
+#include "shaders/shared/grid/overlap.h"
 
 namespace gridscope {
 
@@ -22,15 +23,13 @@ std::optional<uint32_t> nextTruth(const FrameSnapshot& frame, std::optional<uint
 
 CellContents cellContents(const FrameSnapshot& frame, const ivec3& cell) {
   const Grid& grid = *frame.grid;
-  const FullCell full = fullnessOf(grid, cell);
+  const CellFacts facts = cellFacts(grid, cell);
   CellContents contents;
   contents.stored = storedIn(grid, cell);
-  contents.refusedCount = full.refused;
-  contents.saturated = full.saturated;
-  if (grid.parameters.reserved == 2) {
-    contents.staticRefused = grid.at(gridRefusedTexel(grid.parameters, cell, false));
-    contents.dynamicRefused = grid.at(gridRefusedTexel(grid.parameters, cell, true));
-  }
+  contents.refusedCount = facts.refused;
+  contents.saturated = facts.saturated;
+  contents.staticRefused = facts.staticRefused;
+  contents.dynamicRefused = facts.dynamicRefused;
   contents.refusedKnown = frame.demand != nullptr;
   if (frame.demand) contents.refused = refusedBy(grid, *frame.demand, cell);
   return contents;

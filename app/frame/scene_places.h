@@ -14,7 +14,7 @@ struct CellContents {
   std::vector<uint32_t> refused;                   // rising; empty when not known
   bool refusedKnown = false;                       // the demand is there
   uint32_t refusedCount = 0;                       // as the grid counts; 1 where it only flags
-  uint32_t staticRefused = 0, dynamicRefused = 0;  // of a grid with two reserved texels
+  uint32_t staticRefused = 0, dynamicRefused = 0;  // of a grid that counts them
   bool saturated = false;
 };
 CellContents cellContents(const FrameSnapshot& frame, const ivec3& cell);

@@ -42,7 +42,7 @@ struct SceneFacts {
 struct RecordedRay {
   uint32_t pixel = 0;
   Ray ray{};
-  uint32_t surface = kBlank;  // the reference of the triangle that it was launched from; blank: not known
+  uint32_t surface = kNoReference;  // the reference of the triangle that it was launched from; blank: not known
   RayRecord record;
   Hit frameHit{};            // the frame's, from the fast trace
   bool equalsFrame = false;  // record.hit is frameHit, bit for bit
@@ -69,7 +69,7 @@ struct FrameSnapshot {
   std::optional<std::vector<std::string>> brokenInvariants;  // of grid and hits, a line each; empty: all hold; nothing: not tested yet
 
   std::shared_ptr<const Grid> grid;
-  std::shared_ptr<const std::vector<FullCell>> occupied;  // of `grid`: its cells that hold or refused a reference, x fastest
+  std::shared_ptr<const std::vector<CellFacts>> occupied;  // of `grid`: its cells that hold or refused a reference, x fastest
   std::shared_ptr<const std::vector<Triangle>> worldTriangles;
   std::shared_ptr<const std::vector<Instance>> instances;  // transforms of the frame
   std::shared_ptr<const std::vector<GatherPixel>> gather;

@@ -106,9 +106,9 @@ StepChanges changesOf(const FrameSnapshot& frame, const RecordedRay& ray, const 
   StepChanges changes;
   if (facts.index == 0) return changes;
   const StepRecord& before = ray.record.steps[facts.index - 1];
-  FullCell full;
+  CellFacts full;
   const bool wasInGrid = gridContains(frame.grid->parameters, before.cell);
-  if (wasInGrid) full = fullnessOf(*frame.grid, before.cell);
+  if (wasInGrid) full = cellFacts(*frame.grid, before.cell);
   changes.cell = before.cell != facts.cell;
   changes.stored = full.stored != facts.stored;
   changes.refused = full.refused != facts.refused;
@@ -145,7 +145,7 @@ StepFacts stepFacts(const FrameSnapshot& frame, const RecordedRay& ray, uint32_t
 
   // Its cell and the gate.
   if (facts.inGrid) {
-    const FullCell full = fullnessOf(*frame.grid, at.cell);
+    const CellFacts full = cellFacts(*frame.grid, at.cell);
     facts.stored = full.stored;
     facts.refused = full.refused;
     facts.saturated = full.saturated;

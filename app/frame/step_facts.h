@@ -30,7 +30,7 @@ struct RefusedFacts {
 
 struct BestHit {
   float t = 0.0f;
-  uint32_t reference = kBlank;
+  uint32_t reference = kNoReference;
   uint32_t step = 0;  // that found it
 };
 

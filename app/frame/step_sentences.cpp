@@ -54,7 +54,7 @@ std::string exactWords(const FrameSnapshot& frame, const RecordedRay& ray) {
 
 void explainSaturated(Sentence& sentence, const FrameSnapshot& frame, const StepFacts& facts) {
   sentence.push_back(words(" is saturated"));
-  if (frame.parameters.grid.reserved == 2)
+  if (gridAbilities(frame.parameters.grid).countsRefusals)
     sentence.push_back(words(printed(": %s tried, %s stored", counted(facts.stored + facts.refused, "reference", "references").c_str(),
                                      grouped(facts.stored).c_str())));
   const auto wouldHit =

@@ -5,6 +5,7 @@
 #include <array>
 
 #include "app/base/text.h"
+#include "shaders/shared/trace/triangle_test.h"
 #include "shaders/shared/views/palette.h"
 
 namespace gridscope {

@@ -20,18 +20,6 @@ const char* tableNoun(TableKind kind, bool many) {
   return "";
 }
 
-ivec3 cellOfId(const GridParameters& grid, uint32_t id) {
-  const uint32_t x = uint32_t(grid.cellCount.x), y = uint32_t(grid.cellCount.y);
-  return ivec3(int(id % x), int(id / x % y), int(id / x / y));
-}
-
-uint32_t idOfCell(const GridParameters& grid, const ivec3& cell) { return cellNumber(grid, cell); }
-
-Bounds boundsOfCell(const GridParameters& grid, const ivec3& cell) {
-  const vec3 centre = gridCellCentre(grid, cell), half(0.5f * grid.cellEdge);
-  return {centre - half, centre + half};
-}
-
 const Triangle* worldTriangle(const FrameSnapshot& frame, uint32_t reference) {
   const uint32_t instance = referenceInstance(reference), triangle = referenceTriangle(reference);
   if (!frame.instances || !frame.worldTriangles || instance >= frame.instances->size()) return nullptr;
@@ -107,12 +95,12 @@ class AreaMarker {
   void markPixel(uint32_t pixel) {
     if (frame_.gather && pixel < frame_.gather->size()) {
       const GatherPixel& seen = (*frame_.gather)[pixel];
-      if (seen.reference != kBlank) markReference(seen.reference), markCell(gridCell(grid_, seen.position));
+      if (seen.reference != kNoReference) markReference(seen.reference), markCell(gridCell(grid_, seen.position));
     }
     if (frame_.hits && frame_.rays && pixel < frame_.hits->size() && pixel < frame_.rays->size()) {
       const Hit& hit = (*frame_.hits)[pixel];
       const Ray& ray = (*frame_.rays)[pixel];
-      if (hit.reference != kBlank) markReference(hit.reference), markCell(gridCell(grid_, ray.origin + hit.t * ray.direction));
+      if (hit.reference != kNoReference) markReference(hit.reference), markCell(gridCell(grid_, ray.origin + hit.t * ray.direction));
     }
     if (frame_.truths && pixel < frame_.truths->size()) {
       const RayTruth& truth = (*frame_.truths)[pixel];
@@ -174,7 +162,7 @@ Sheet cellSheet(const FrameSnapshot& frame, const std::optional<PixelArea>& area
 
   const uint32_t cellCount = uint32_t(shape.cellCount.x) * uint32_t(shape.cellCount.y) * uint32_t(shape.cellCount.z);
   for (uint32_t id = 0; id < cellCount; ++id) {
-    const FullCell cell = fullnessOf(grid, cellOfId(shape, id));
+    const CellFacts cell = cellFacts(grid, cellOfId(shape, id));
     if (cell.tried() == 0) continue;
     const double readBy = frame.cellRays && id < frame.cellRays->size() ? double((*frame.cellRays)[id].read) : NAN;
     addRow(sheet, id,
@@ -214,14 +202,10 @@ TriangleCounts countTriangleCells(const FrameSnapshot& frame) {
     return counts;
   }
   const GridParameters& shape = frame.grid->parameters;
-  for (uint32_t id = 0; id < uint32_t(shape.cellCount.x) * uint32_t(shape.cellCount.y) * uint32_t(shape.cellCount.z); ++id) {
-    const ivec3 cell = cellOfId(shape, id);
-    for (int slot = 0; slot < shape.capacity; ++slot) {
-      const uint32_t reference = frame.grid->at(gridTexel(shape, cell, slot));
-      if (reference == kBlank) break;
+  forCellsOfLayers(shape, 0, shape.cellCount.z, [&](ivec3 cell) {
+    for (uint32_t reference : storedIn(*frame.grid, cell))
       if (const std::optional<size_t> index = indexOf(reference)) ++counts.stored[*index];
-    }
-  }
+  });
   return counts;
 }
 

@@ -30,11 +30,7 @@ bool canMakeSheet(TableKind kind, const FrameSnapshot& frame);
 // The pieces of a snapshot that a table is made of: while they stay the same, so does the sheet.
 std::vector<const void*> sheetSources(TableKind kind, const FrameSnapshot& frame);
 
-ivec3 cellOfId(const GridParameters& grid, uint32_t id);
-uint32_t idOfCell(const GridParameters& grid, const ivec3& cell);
-
 // Where to look to see it: world bounds.
-Bounds boundsOfCell(const GridParameters& grid, const ivec3& cell);
 Bounds boundsOfTriangle(const FrameSnapshot& frame, uint32_t reference);
 Bounds boundsOfInstance(const FrameSnapshot& frame, uint32_t sceneInstance);
 

@@ -6,6 +6,7 @@
 
 #include "core/base/error.h"
 #include "core/capture/compare.h"
+#include "shaders/shared/views/element_colour.h"
 #include "views/picture.h"
 
 namespace gridscope {
@@ -42,21 +43,19 @@ Elements gridElements(const TwoSides& sides) {
   const ivec3 count = sides.gridA.parameters.cellCount;
   const NumberedScene none;
   const Difference difference = compareGrids(sides.gridA, sides.gridB, {"a", "b", none});
-  const ivec3 texels = gridTexelCount(sides.gridA.parameters);
-  int layer = int(difference.firstIndex / size_t(texels.x) % size_t(texels.y));
-  if (sides.gridA.parameters.stretchAxis == 1) layer /= sides.gridA.parameters.stride;
+  const int layer = cellOfWord(sides.gridA.parameters, difference.firstIndex).y;
 
   Elements elements{.width = uint32_t(count.x), .height = uint32_t(count.z), .a = {}, .b = {}, .different = {}};
   for (int z = 0; z < count.z; ++z)
     for (int x = 0; x < count.x; ++x) {
-      const CellSlots a = readCell(sides.gridA, ivec3(x, layer, z)), b = readCell(sides.gridB, ivec3(x, layer, z));
-      const auto element = [&](const CellSlots& cell) {
-        const float stored = static_cast<float>(cell.references.size());
-        return cellSaturated(sides.gridA.parameters, cell) ? markedElement(stored) : valueElement(stored);
+      const ivec3 cell(x, layer, z);
+      const CellFacts a = cellFacts(sides.gridA, cell), b = cellFacts(sides.gridB, cell);
+      const auto element = [&](const CellFacts& facts) {
+        return facts.saturated ? markedElement(float(facts.stored)) : valueElement(float(facts.stored));
       };
       elements.a.push_back(element(a));
       elements.b.push_back(element(b));
-      elements.different.push_back(a.references != b.references || a.reserved != b.reserved);
+      elements.different.push_back(a != b || storedIn(sides.gridA, cell) != storedIn(sides.gridB, cell));
     }
   return elements;
 }
@@ -109,7 +108,7 @@ DifferencePictures drawDifference(const TwoSides& sides) {
 
 std::vector<std::string> writeDifference(const std::filesystem::path& folder, const std::string& name, const TwoSides& sides) {
   // Counters alone have no picture.
-  if (sides.hitsA.empty() && (sides.gridA.texels.empty() || sides.gridB.texels.empty())) return {};
+  if (sides.hitsA.empty() && (sides.gridA.empty() || sides.gridB.empty())) return {};
   std::error_code fault;
   std::filesystem::create_directories(folder, fault);
   if (fault) throw Error("--out " + folder.string() + ": can't be made: " + fault.message());

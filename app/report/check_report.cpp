@@ -18,7 +18,7 @@ std::string stageName(const CheckedStage& stage, const CheckReport& report) {
   return report.stages.back().frame == 0 ? stage.stage : printed("%s %u", stage.stage.c_str(), stage.frame);
 }
 
-bool countsRefused(const Session& session) { return session.pipeline().parameters().grid.reserved == 2; }
+bool countsRefused(const Session& session) { return gridAbilities(session.pipeline().parameters().grid).countsRefusals; }
 
 // References tried: what was stored, and what was refused as far as the grid counts it.
 uint64_t triedIn(const GridTotals& grid) { return grid.stored() + grid.refused(); }

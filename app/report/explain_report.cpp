@@ -93,7 +93,7 @@ void printWorst(std::FILE* out, const ExplainReport& report, const CaptureNames&
     const Comparison how{"", "", *report.frame.scene, &names};
     table.add({printed("%.3g", double(distanceOff(report.frame, ray))), printed("%u,%u", ray % report.width, ray / report.width),
                std::string(verdictName(truth.verdict).title), std::string(causeName(truth.cause).title),
-               truth.exactReference == kBlank ? "none" : referenceText(how, truth.exactReference)});
+               truth.exactReference == kNoReference ? "none" : referenceText(how, truth.exactReference)});
   }
   table.print(out);
 }

@@ -77,8 +77,8 @@ Json sceneJson(const Session& session) {
 Json gridJson(const GridParameters& grid) {
   return {{"cells", vectorJson(grid.cellCount)},
           {"capacity", grid.capacity},
-          {"stride", grid.stride},
-          {"stretch", std::string(1, "xyz"[grid.stretchAxis])},
+          {"stride", storageFacts(grid).wordsPerCell},
+          {"stretch", std::string(1, storageFacts(grid).stretchedAxis)},
           {"cellEdge", grid.cellEdge},
           {"origin", vectorJson(grid.origin)},
           {"bytes", gridByteCount(grid)}};

@@ -80,7 +80,7 @@ void explainFrame(Session& session, const Options& options, PageFrame& frame, Pr
   explained.worst = worstRays(explained.frame, options.worst);
   explained.width = pipeline.settings().width;
   explained.frameNumber = options.frame;
-  explained.countsRefused = frame.grid.reserved == 2;
+  explained.countsRefused = gridAbilities(frame.grid).countsRefusals;
   if (!options.verify && explained.frame.totals.differ() > kMostProvenUnasked) return;
   progress.step("prove every cause");
   explained.proofs = proveFrame(explained.frame);
@@ -108,7 +108,7 @@ void useFindings(Session& session, const Options& options, const std::vector<con
   // The frame's own grid and hits come back afterwards.
   const Stability stability = compareBuilds(pipeline, kComparedBuilds, [&] { session.rebuild(options.frame); });
   pipeline.useStability(stability.cells, stability.rays);
-  pipeline.useGrid(explained.frame.grid.texels);
+  pipeline.useGrid(explained.frame.grid.words);
   pipeline.useHits(explained.frame.hits);
 }
 

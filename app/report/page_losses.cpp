@@ -5,7 +5,7 @@
 #include "app/report/page_html.h"
 #include "app/report/page_sections.h"
 #include "core/capture/compare.h"
-#include "shaders/shared/truth/truth_colours.h"
+#include "shaders/shared/views/truth_colours.h"
 
 namespace gridscope {
 
@@ -123,7 +123,7 @@ std::string worstTable(const PageFrame& frame) {
                printed("%.3g", double(distanceOff(explained.frame, ray))),
                PageCell::named(std::string(verdictName(truth.verdict).title), cssColour(verdictColour(truth.verdict))),
                PageCell::named(std::string(causeName(truth.cause).title), cssColour(causeColour(truth.cause))),
-               truth.exactReference == kBlank ? "none" : referenceText(how, truth.exactReference)});
+               truth.exactReference == kNoReference ? "none" : referenceText(how, truth.exactReference)});
   }
   return table.html("No ray is wrong.");
 }

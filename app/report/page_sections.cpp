@@ -12,7 +12,7 @@
 #include "core/base/error.h"
 #include "core/base/version.h"
 #include "core/base/write_file.h"
-#include "shaders/shared/truth/truth_colours.h"
+#include "shaders/shared/views/truth_colours.h"
 #include "views/drawing.h"
 
 namespace gridscope {

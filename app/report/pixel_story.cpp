@@ -108,8 +108,8 @@ struct Teller {
     if (!reason.about.empty()) story.text(" ").text(std::string(reason.about));
     if (gridContains(grid.parameters, told.cell)) story.text(" It took place in ").cell(told.cell);
     if (told.segment >= 0) story.text(gridContains(grid.parameters, told.cell) ? ", " : " It took place in ").step(told.segment, told.cell);
-    if (told.reference != kBlank) story.text(", and is about ").triangle(told.reference);
-    story.text(told.segment >= 0 || gridContains(grid.parameters, told.cell) || told.reference != kBlank ? "." : "").end();
+    if (told.reference != kNoReference) story.text(", and is about ").triangle(told.reference);
+    story.text(told.segment >= 0 || gridContains(grid.parameters, told.cell) || told.reference != kNoReference ? "." : "").end();
     if (!gridContains(grid.parameters, told.cell)) return;
     if (told.cause == kCauseSteppedOver) return tellCut(told.cell);
     if (told.cause == kCauseGate) tellGate();
@@ -163,7 +163,7 @@ std::vector<StoryPart> tellVerdict(const StoryInput& input) {
   if (input.told.cause == kCauseNone) return story.text(". ").text(std::string(verdictName(input.told.verdict).about)).end().take();
   story.text(", ").text(std::string(causeName(input.told.cause).title));
   if (gridContains(input.truth.trace.grid.parameters, input.told.cell)) story.text(" in ").cell(input.told.cell);
-  if (input.told.exactReference != kBlank) story.text("; the surface is ").triangle(input.told.exactReference);
+  if (input.told.exactReference != kNoReference) story.text("; the surface is ").triangle(input.told.exactReference);
   return story.text(".").end().take();
 }
 

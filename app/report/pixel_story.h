@@ -17,10 +17,10 @@ namespace gridscope {
 struct StoryPart {
   enum class Kind { text, mesh, triangle, cell, step, number, refused };  // refused: the word, in its colour
   Kind kind = Kind::text;
-  std::string text;             // "\n" ends a sentence's line
-  uint32_t reference = kBlank;  // of a triangle; of any triangle of the mesh, for a mesh
-  ivec3 cell{-1};               // of a cell, and of a step's cell
-  int segment = -1;             // of a step: StepRecord::segment
+  std::string text;                   // "\n" ends a sentence's line
+  uint32_t reference = kNoReference;  // of a triangle; of any triangle of the mesh, for a mesh
+  ivec3 cell{-1};                     // of a cell, and of a step's cell
+  int segment = -1;                   // of a step: StepRecord::segment
 };
 
 // What a story is told from. What it refers to must outlive the call.

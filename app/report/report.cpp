@@ -86,8 +86,8 @@ Table reportTable(const Session& session, const RenderReport& report) {
   Table table("ll");
   table.add({"scene", sceneText(session, frame)});
   table.add({"device", session.deviceName() + ", " + session.deviceReport().driver});
-  table.add({"grid", gridText(grid) + printed(", stretched along %c, ", "xyz"[grid.stretchAxis]) + byteText(gridByteCount(grid))});
-  addReferences(table, frame, grid.reserved == 2);
+  table.add({"grid", gridText(grid) + ", " + storageText(grid) + ", " + byteText(gridByteCount(grid))});
+  addReferences(table, frame, gridAbilities(grid).countsRefusals);
   if (session.canRebuild()) table.add({"", refusedFirst(session.pipeline().settings().grid)});
   addCells(table, frame, grid);
   addUpdate(table, session, frame);

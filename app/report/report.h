@@ -13,6 +13,8 @@
 #include "app/session/settings_table.h"
 #include "core/base/statistics.h"
 #include "core/checks/exact_check.h"
+#include "core/grid/statistics.h"
+#include "core/trace/statistics.h"
 
 namespace gridscope {
 

@@ -60,12 +60,12 @@ Capture readSceneCapture(const Options& options) {
   if (options.frame >= capture.frames.size())
     throw Error("--frame " + std::to_string(options.frame) + ": " + options.scene + " holds " + std::to_string(capture.frames.size()) +
                 (capture.frames.size() == 1 ? " frame; leave it out" : " frames, from 0 on"));
-  if (frames > 1 && capture.grid.reserved != 2)
+  if (frames > 1 && !gridAbilities(capture.grid).updated)
     throw Error("--frames " + std::to_string(frames) + ": " + options.scene +
                 " has a foreign grid, which no update can follow; show its first frame, or use gridscope replay");
-  if (options.checkCpu && capture.grid.reserved != 2)
-    throw Error("--check-cpu: " + options.scene + " has a grid with " + std::to_string(capture.grid.reserved) +
-                " reserved texels a cell, which the C++ path does not build; use gridscope replay");
+  if (options.checkCpu && !gridAbilities(capture.grid).built)
+    throw Error("--check-cpu: " + options.scene + " has a grid with " + refusalText(capture.grid) +
+                ", which the C++ path does not build; use gridscope replay");
   return capture;
 }
 

@@ -85,13 +85,13 @@ float Session::frameTime(uint32_t frame) const {
 uint32_t Session::frameCount() const { return capture_ ? uint32_t(capture_->frames.size()) : 1; }
 
 void Session::build() {
-  if (!capture_ || capture_->grid.reserved == 2) pipeline_.build();
+  if (!capture_ || gridAbilities(capture_->grid).built) pipeline_.build();
 }
 
 void Session::update(uint32_t frame) {
   if (!capture_) return pipeline_.update(frameTime(frame));
   const std::vector<Instance> instances = frameInstances(*capture_, frame % capture_->frames.size());
-  if (capture_->grid.reserved == 2)
+  if (gridAbilities(capture_->grid).updated)
     pipeline_.update(instances);
   else
     pipeline_.useInstances(instances);

@@ -94,9 +94,4 @@ std::string refusedFirst(const GridSettings& settings) {
   return "refused first: the highest ids: late meshes, then dynamic instances";
 }
 
-std::string gridText(const GridParameters& grid) {
-  return printed("%d x %d x %d cells of %.4g, capacity %d", grid.cellCount.x, grid.cellCount.y, grid.cellCount.z, grid.cellEdge,
-                 grid.capacity);
-}
-
 }  // namespace gridscope

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "core/grid/settings.h"
+#include "core/trace/settings.h"
 
 namespace gridscope {
 
@@ -20,8 +20,5 @@ std::vector<SettingText> settingTexts(const FrameSettings& settings);
 
 // One sentence: what full cells refuse first under these settings.
 std::string refusedFirst(const GridSettings& settings);
-
-// "12 x 34 x 56 cells of 0.25, capacity 32".
-std::string gridText(const GridParameters& grid);
 
 }  // namespace gridscope

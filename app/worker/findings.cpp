@@ -36,14 +36,14 @@ void FrameMaker::keepGridBeforeUpdate() {
 // What the last update changed. Where the grid before it was not kept, it is made again: a build, the update before, and the last one, so that
 // both grids come of the same run.
 void FrameMaker::findUpdates() {
-  if (!gridBefore_.texels.empty()) return pipeline_->useCellUpdates(compareUpdate(gridBefore_, *current_.grid));
+  if (!gridBefore_.empty()) return pipeline_->useCellUpdates(compareUpdate(gridBefore_, *current_.grid));
   const std::vector<Instance> instances = *current_.instances;
   pipeline_->build();
   if (instancesBefore_) pipeline_->update(*instancesBefore_);
   const Grid before = pipeline_->grid();
   pipeline_->update(instances);
   pipeline_->useCellUpdates(compareUpdate(before, pipeline_->grid()));
-  pipeline_->useGrid(current_.grid->texels);
+  pipeline_->useGrid(current_.grid->words);
 }
 
 // Piece by piece, so that another request need not wait for all of them.
@@ -66,7 +66,7 @@ bool FrameMaker::findAboutCells() {
   if (!countReads()) return false;
   const auto missing = [&](ViewNeed need) { return wantsFinding(need) && !findings_.contains(need); };
   const bool ownGrid = !loaded_->capture || builtHere(*loaded_->capture);
-  if (missing(ViewNeed::cellUpdates) && (ownGrid || !gridBefore_.texels.empty())) {
+  if (missing(ViewNeed::cellUpdates) && (ownGrid || !gridBefore_.empty())) {
     findUpdates();
     found(ViewNeed::cellUpdates);
   }
@@ -93,7 +93,7 @@ void FrameMaker::compareSomeBuilds() {
     pipeline_->update(instances);
   });
   pipeline_->useStability(stability.cells, stability.rays);
-  pipeline_->useGrid(current_.grid->texels);
+  pipeline_->useGrid(current_.grid->words);
   pipeline_->useHits(*current_.hits);
 }
 

@@ -279,7 +279,7 @@ bool FrameMaker::makeRays() {
   dirty_.trace = true;
   traced_ = 0;
   // Hits of other rays must not be taken for these rays' own.
-  pipeline_->useHits(std::vector<Hit>(pipeline_->rayCount(), Hit{kHitNoRay, 0.0f, kBlank, 0.0f, 0.0f}));
+  pipeline_->useHits(std::vector<Hit>(pipeline_->rayCount(), Hit{kHitNoRay, 0.0f, kNoReference, 0.0f, 0.0f}));
   forgetPixels();
   return true;
 }

@@ -121,7 +121,7 @@ SceneFacts factsOf(const LoadedSource& loaded) {
   if (loaded.capture) {
     facts.names = loaded.capture->names;
     facts.captureFrames = uint32_t(loaded.capture->frames.size());
-    facts.foreign = loaded.capture->grid.reserved != 2;
+    facts.foreign = !gridAbilities(loaded.capture->grid).built;
     facts.note = loaded.capture->note;
     facts.lacksDiffuseMaps = lacksDiffuseMaps(*loaded.capture);
     facts.meshOfInstance.resize(facts.names.instances.size());

@@ -12,8 +12,9 @@
 
 #include "core/base/npy.h"
 #include "core/grid/grid.h"
-#include "core/grid/settings.h"
 #include "core/scene/numbering.h"
+#include "core/trace/settings.h"
+#include "shaders/shared/trace/frame.h"
 
 namespace gridscope {
 
@@ -33,7 +34,7 @@ struct InstanceRows {
 // The nearest hit among all triangles, without a grid.
 struct ExactHit {
   float t;             // distance, world units; 0: nothing hit
-  uint32_t reference;  // kBlank: nothing hit
+  uint32_t reference;  // kNoReference: nothing hit
 };
 
 // What changes from frame to frame. Products are empty where the capture does not hold them; all frames hold the same ones.
@@ -44,7 +45,7 @@ struct CaptureFrame {
   ViewParameters view{};
   std::vector<InstanceRows> rows;  // of all instances; static ones are the same in every frame
 
-  std::vector<uint32_t> grid;       // texels, x fastest
+  std::vector<uint32_t> grid;       // Grid::words
   std::vector<GatherPixel> gather;  // width * height, first row at the top; likewise the next four
   std::vector<Ray> rays;
   std::vector<Hit> hits;

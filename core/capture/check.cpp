@@ -10,8 +10,10 @@
 
 #include "core/base/parallel.h"
 #include "core/grid/derive.h"
+#include "core/grid/fields.h"
 #include "shaders/shared/grid/grid.h"
 #include "shaders/shared/scene/triangle.h"
+#include "shaders/shared/trace/frame.h"
 
 namespace gridscope {
 
@@ -54,34 +56,6 @@ size_t firstFault(size_t count, const Fine& fine) {
 }
 
 // --- Parameters
-
-void checkGridParameters(const GridParameters& grid) {
-  demand(std::isfinite(grid.cellEdge) && grid.cellEdge > 1e-9f, "manifest.json: grid.cellEdge is not a length above 1e-9");
-  demand(grid.capacity >= 1 && grid.capacity <= 16384, "manifest.json: grid.capacity is not from 1 to 16384");
-  demand(grid.reserved >= 0 && grid.reserved <= 2, "manifest.json: grid.reserved is not 0, 1 or 2");
-  demand(grid.stride == grid.capacity + grid.reserved, "manifest.json: grid.stride is not capacity + reserved");
-  demand(grid.stretchAxis >= 0 && grid.stretchAxis <= 2, "manifest.json: grid.stretchAxis is not x, y or z");
-  for (int axis = 0; axis < 3; ++axis)
-    demand(grid.cellCount[axis] >= 1 && grid.cellCount[axis] <= 65535, "manifest.json: grid.cellCount is not from 1 to 65535");
-
-  // A cell must be many floats wide (derive.cpp), or a ray would stand still.
-  const float limit = 4.0f * kCoordinateLimit;
-  const vec3 high = grid.origin + vec3(grid.cellCount) * grid.cellEdge;
-  demand(finite(grid.origin) && withinLimit(grid.origin, limit) && finite(high) && withinLimit(high, limit),
-         "manifest.json: grid.origin and cellEdge lead beyond " + text(uint64_t(limit)));
-  float farthest = 0.0f;
-  for (int axis = 0; axis < 3; ++axis) farthest = std::max({farthest, std::abs(grid.origin[axis]), std::abs(high[axis])});
-  demand(grid.cellEdge >= 4.0f * (std::nextafter(farthest, INFINITY) - farthest),
-         "manifest.json: grid.cellEdge is too small for 32-bit floats at its origin");
-  demand(std::abs(double(grid.inverseCellEdge) * grid.cellEdge - 1.0) < 1e-6, "manifest.json: grid.inverseCellEdge is not 1 / cellEdge");
-
-  demand(std::isfinite(grid.planeRadiusSquared) && grid.planeRadiusSquared >= 0.0f,
-         "manifest.json: grid.planeRadiusSquared is not a squared length");
-  demand(std::isfinite(grid.boxHalfEdge) && grid.boxHalfEdge >= 0.0f, "manifest.json: grid.boxHalfEdge is not a length");
-  demand(grid.overlap <= kOverlapExact && grid.insertion <= kInsertionFirstCome, "manifest.json: grid.overlap or insertion is unknown");
-  demand(grid.cellsPerInvocation >= 1 && grid.cellsPerInvocation <= kLoopBudget,
-         "manifest.json: grid.cellsPerInvocation is not from 1 to 65535");
-}
 
 void checkTraceParameters(const TraceParameters& trace) {
   for (float value : {trace.tMin, trace.back, trace.ahead, trace.gate})
@@ -258,25 +232,13 @@ class References {
   std::vector<uint32_t> counts_;
 };
 
-ivec3 texelAt(ivec3 count, size_t index) {
-  return ivec3(static_cast<int>(index % count.x), static_cast<int>(index / count.x % count.y), static_cast<int>(index / count.x / count.y));
-}
-
 void checkGrid(const Capture& capture, const CaptureFrame& frame, const References& references) {
-  const GridParameters& grid = capture.grid;
-  const ivec3 count = gridTexelCount(grid);
-  const size_t texels = size_t(count.x) * count.y * count.z;
-  demandCount("grid.npy", frame.grid.size(), texels, "texels");
-  const size_t fault = firstFault(texels, [&](size_t i) {
-    const uint32_t reference = frame.grid[i];
-    return reference == kBlank || references.exists(reference) || texelAt(count, i)[grid.stretchAxis] % grid.stride >= grid.capacity;
+  demandCount("grid.npy", frame.grid.size(), gridWordCount(capture.grid), "texels");
+  const size_t fault = firstFault(frame.grid.size(), [&](size_t i) {
+    const uint32_t word = frame.grid[i];
+    return word == kNoReference || references.exists(word) || !wordIsReference(capture.grid, i);
   });
-  if (fault == texels) return;
-  ivec3 cell = texelAt(count, fault);
-  const int slot = cell[grid.stretchAxis] % grid.stride;
-  cell[grid.stretchAxis] /= grid.stride;
-  throw Error("grid.npy: cell (" + std::to_string(cell.x) + ", " + std::to_string(cell.y) + ", " + std::to_string(cell.z) + ") slot " +
-              std::to_string(slot) + " " + references.fault(frame.grid[fault]));
+  if (fault < frame.grid.size()) throw Error("grid.npy: " + wordText(capture.grid, fault) + " " + references.fault(frame.grid[fault]));
 }
 
 std::string pixelName(const Capture& capture, size_t index) {
@@ -286,7 +248,7 @@ std::string pixelName(const Capture& capture, size_t index) {
 void checkGather(const Capture& capture, const CaptureFrame& frame, const References& references) {
   const size_t fault = firstFault(frame.gather.size(), [&](size_t i) {
     const GatherPixel& pixel = frame.gather[i];
-    if (pixel.reference == kBlank) return true;
+    if (pixel.reference == kNoReference) return true;
     return references.exists(pixel.reference) && pixel.material < capture.scene.materials.size() && finite(pixel.position) &&
            finite(pixel.geometricNormal) && finite(pixel.shadingNormal) && std::isfinite(pixel.depth);
   });
@@ -324,7 +286,7 @@ void checkHits(const Capture& capture, const CaptureFrame& frame, const Referenc
   const auto isHit = [](const Hit& hit) { return hit.kind == kHitTriangle || hit.kind == kHitVoxel; };
   const size_t fault = firstFault(frame.hits.size(), [&](size_t i) {
     const Hit& hit = frame.hits[i];
-    return hit.kind <= kHitLimit && std::isfinite(hit.t) && (isHit(hit) ? references.exists(hit.reference) : hit.reference == kBlank);
+    return hit.kind <= kHitLimit && std::isfinite(hit.t) && (isHit(hit) ? references.exists(hit.reference) : hit.reference == kNoReference);
   });
   if (fault == frame.hits.size()) return;
   const Hit& hit = frame.hits[fault];
@@ -340,7 +302,7 @@ void checkExact(const Capture& capture, const CaptureFrame& frame, const Referen
     const ExactHit& hit = frame.exact[i];
     const std::string pixel = pixelName(capture, i);
     if (!std::isfinite(hit.t)) throw Error("exact_t.npy: " + pixel + " is not finite");
-    if (hit.reference != kBlank && !references.exists(hit.reference))
+    if (hit.reference != kNoReference && !references.exists(hit.reference))
       throw Error("exact_reference.npy: " + pixel + " " + references.fault(hit.reference));
   }
 }
@@ -356,7 +318,11 @@ void checkPixelCount(const Capture& capture, Part part, const std::vector<Elemen
 
 void checkCaptureInputs(const Capture& capture) {
   demand(!capture.frames.empty(), "manifest.json: holds no frame");
-  checkGridParameters(capture.grid);
+  try {
+    checkGridParameters(capture.grid);
+  } catch (const Error& error) {
+    throw error.within("manifest.json");
+  }
   checkTraceParameters(capture.trace);
   checkSettings(capture.settings);
   demand(finite(capture.bounds.low) && finite(capture.bounds.high), "manifest.json: scene.bounds is not finite");

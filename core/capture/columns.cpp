@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <cstring>
 
+#include "core/base/error.h"
+
 namespace gridscope {
 
 namespace {
@@ -17,7 +19,7 @@ constexpr std::array<PartRow, kPartCount> kParts = {{
     {Part::rows, "transforms", Lead::count, sizeof(InstanceRows), true},
     {Part::materials, "materials", Lead::count, sizeof(TraceMaterial), false},
     {Part::alpha, "alpha maps", Lead::count, sizeof(uint32_t), false},
-    {Part::grid, "grid", Lead::texels, sizeof(uint32_t), true},
+    {Part::grid, "grid", Lead::grid, sizeof(uint32_t), true},
     {Part::gather, "gather", Lead::pixels, sizeof(GatherPixel), true},
     {Part::rays, "rays", Lead::pixels, sizeof(Ray), true},
     {Part::hits, "hits", Lead::pixels, sizeof(Hit), true},
@@ -97,6 +99,12 @@ size_t bytesInFile(const ColumnRow& column) { return columnWidth(column) * npyTy
 
 const PartRow& partRow(Part part) { return kParts[static_cast<size_t>(part)]; }
 std::span<const ColumnRow> captureColumns() { return columns(); }
+
+GridArray gridArrayOf(const GridParameters& grid, std::string_view entry) {
+  for (const GridArray& array : gridArrays(grid))
+    if (entry == array.name + std::string(".npy")) return array;
+  throw Error(std::string(entry) + ": the grid has no such array");
+}
 
 const ColumnRow* findColumn(const std::string& entry) {
   for (const ColumnRow& column : columns())

@@ -15,7 +15,7 @@ enum class Part { triangles, corners, numbers, instances, rows, materials, alpha
 inline constexpr size_t kPartCount = 13;
 
 // What the first dimensions of a column count.
-enum class Lead { count, triangleCorners, texels, pixels };  // (n), (n / 3, 3), (z, y, x), (height, width)
+enum class Lead { count, triangleCorners, grid, pixels };  // (n), (n / 3, 3), as gridArrays() says, (height, width)
 
 // The row of `instances`.
 struct InstanceColumns {
@@ -46,6 +46,9 @@ struct ColumnRow {
 
 const PartRow& partRow(Part part);
 std::span<const ColumnRow> captureColumns();
+// The grid's array that an entry holds.
+GridArray gridArrayOf(const GridParameters& grid, std::string_view entry);
+
 const ColumnRow* findColumn(const std::string& entry);
 
 // Values of a column in one element.

@@ -35,19 +35,21 @@ std::string named(const std::vector<std::string>& names, uint32_t index, const c
   return otherwise + std::to_string(index);
 }
 
-std::string listed(const std::vector<uint32_t>& words) {
-  std::string text;
-  for (uint32_t word : words) text += (text.empty() ? "" : " and ") + std::to_string(word);
-  return text;
+// "refused: captured 3 and 0, replayed 2 and 0".
+std::string refusedText(const CellFacts& a, const CellFacts& b, const Comparison& how) {
+  const auto counts = [](const CellFacts& cell) {
+    return std::to_string(cell.staticRefused) + " and " + std::to_string(cell.dynamicRefused);
+  };
+  return "refused: " + how.a + " " + counts(a) + ", " + how.b + " " + counts(b);
 }
 
 // What the two cells of one place differ in; empty: nothing.
-std::string setDifference(const GridParameters& parameters, const CellSlots& a, const CellSlots& b, const Comparison& how) {
-  if (a.reserved != b.reserved) return "refused: " + how.a + " " + listed(a.reserved) + ", " + how.b + " " + listed(b.reserved);
-  if (a.references.size() != b.references.size())
-    return how.a + " holds " + std::to_string(a.references.size()) + " references, " + how.b + " " + std::to_string(b.references.size());
-  if (cellSaturated(parameters, a)) return "";
-  std::vector<uint32_t> sortedA = a.references, sortedB = b.references;
+std::string setDifference(const Grid& gridA, const Grid& gridB, ivec3 cell, const Comparison& how) {
+  const CellFacts a = cellFacts(gridA, cell), b = cellFacts(gridB, cell);
+  if (a.staticRefused != b.staticRefused || a.dynamicRefused != b.dynamicRefused || a.refused != b.refused) return refusedText(a, b, how);
+  if (a.stored != b.stored) return how.a + " holds " + std::to_string(a.stored) + " references, " + how.b + " " + std::to_string(b.stored);
+  if (a.saturated) return "";
+  std::vector<uint32_t> sortedA = storedIn(gridA, cell), sortedB = storedIn(gridB, cell);
   std::ranges::sort(sortedA);
   std::ranges::sort(sortedB);
   const auto [inA, inB] = std::ranges::mismatch(sortedA, sortedB);
@@ -66,12 +68,10 @@ Difference compareTriangles(std::span<const Triangle> a, std::span<const Triangl
 }
 
 Difference compareGrids(const Grid& a, const Grid& b, const Comparison& how) {
-  const int reserved = a.parameters.reserved;
-  return compareBytes<uint32_t>(a.texels, b.texels, [&](size_t i) {
-    const std::string place = texelText(a.parameters, i);
-    const bool counts = reserved > 0 && place.ends_with("refused");
-    const auto value = [&](uint32_t word) { return counts ? std::to_string(word) : referenceText(how, word); };
-    return place + ": " + how.a + " " + value(a.texels[i]) + ", " + how.b + " " + value(b.texels[i]);
+  return compareBytes<uint32_t>(a.words, b.words, [&](size_t i) {
+    const bool reference = wordIsReference(a.parameters, i);
+    const auto value = [&](uint32_t word) { return reference ? referenceText(how, word) : std::to_string(word); };
+    return wordText(a.parameters, i) + ": " + how.a + " " + value(a.words[i]) + ", " + how.b + " " + value(b.words[i]);
   });
 }
 
@@ -92,25 +92,21 @@ Difference compareExactHits(std::span<const ExactHit> a, std::span<const ExactHi
   const auto text = [](const ExactHit& hit, const Comparison& named) {
     char distance[32];
     std::snprintf(distance, sizeof distance, " at t %.9g", double(hit.t));
-    return hit.reference == kBlank ? std::string("nothing") : referenceText(named, hit.reference) + distance;
+    return hit.reference == kNoReference ? std::string("nothing") : referenceText(named, hit.reference) + distance;
   };
   return compareBytes(
       a, b, [&](size_t i) { return pixelText(i, width) + ": " + how.a + " " + text(a[i], how) + ", " + how.b + " " + text(b[i], how); });
 }
 
 Difference compareGridsAsSets(const Grid& a, const Grid& b, const Comparison& how) {
-  const ivec3 count = a.parameters.cellCount;
-  Difference difference{.total = uint64_t(count.x) * uint64_t(count.y) * uint64_t(count.z)};
-  if (a.texels == b.texels) return difference;
-  size_t index = 0;
-  for (ivec3 cell(0); cell.z < count.z; ++cell.z)
-    for (cell.y = 0; cell.y < count.y; ++cell.y)
-      for (cell.x = 0; cell.x < count.x; ++cell.x, ++index) {
-        const std::string text = setDifference(a.parameters, readCell(a, cell), readCell(b, cell), how);
-        if (text.empty() || difference.different++ > 0) continue;
-        difference.firstIndex = index;
-        difference.first = cellText(cell) + ": " + text;
-      }
+  Difference difference{.total = cellCountOf(a.parameters)};
+  if (a.words == b.words) return difference;
+  forCellsOfLayers(a.parameters, 0, a.parameters.cellCount.z, [&](ivec3 cell) {
+    const std::string text = setDifference(a, b, cell, how);
+    if (text.empty() || difference.different++ > 0) return;
+    difference.firstIndex = idOfCell(a.parameters, cell);
+    difference.first = cellText(cell) + ": " + text;
+  });
   return difference;
 }
 
@@ -120,25 +116,12 @@ std::string hexText(uint32_t value) {
   return text;
 }
 
-std::string cellText(ivec3 cell) {
-  return "cell (" + std::to_string(cell.x) + ", " + std::to_string(cell.y) + ", " + std::to_string(cell.z) + ")";
-}
-
-std::string texelText(const GridParameters& grid, size_t texel) {
-  const ivec3 count = gridTexelCount(grid);
-  ivec3 place(int(texel % count.x), int(texel / count.x % count.y), int(texel / (size_t(count.x) * count.y)));
-  const int slot = place[grid.stretchAxis] % grid.stride;
-  place[grid.stretchAxis] /= grid.stride;
-  if (slot < grid.capacity) return cellText(place) + ", slot " + std::to_string(slot);
-  return cellText(place) + (slot == grid.capacity ? ", static refused" : ", dynamic refused");
-}
-
 std::string pixelText(size_t index, uint32_t width) {
   return "pixel (" + std::to_string(index % width) + ", " + std::to_string(index / width) + ")";
 }
 
 std::string referenceText(const Comparison& how, uint32_t reference) {
-  if (reference == kBlank) return "blank";
+  if (reference == kNoReference) return "blank";
   const uint32_t instance = referenceInstance(reference);
   std::string text = hexText(reference);
   if (instance >= how.scene.instanceCount() || referenceTriangle(reference) >= how.scene.instances[instance].triangleCount)

@@ -31,7 +31,7 @@ struct Difference {
   std::string text() const;
 };
 
-// Elements: texels, pixels. Both sides hold as many.
+// Elements: words of the grid, pixels. Both sides hold as many.
 Difference compareTriangles(std::span<const Triangle> a, std::span<const Triangle> b);
 Difference compareGrids(const Grid& a, const Grid& b, const Comparison& how);
 Difference compareHits(std::span<const Hit> a, std::span<const Hit> b, uint32_t width, const Comparison& how);
@@ -46,8 +46,6 @@ Difference compareGridsAsSets(const Grid& a, const Grid& b, const Comparison& ho
 
 // In words.
 std::string hexText(uint32_t value);                                   // "0x0001002A"
-std::string cellText(ivec3 cell);                                      // "cell (1, 2, 3)"
-std::string texelText(const GridParameters& grid, size_t texel);       // "cell (1, 2, 3), slot 4"
 std::string pixelText(size_t index, uint32_t width);                   // "pixel (3, 4)"
 std::string referenceText(const Comparison& how, uint32_t reference);  // "0x0001002A (tuft, triangle 42)", "blank"
 std::string hitText(const Comparison& how, const Hit& hit);

@@ -40,29 +40,27 @@ nlohmann::json settingsOf(const Capture& capture) {
   return settings;
 }
 
-void diffCell(const CellSlots& a, const CellSlots& b, ivec3 cell, const Comparison& howA, const Comparison& howB, CellDifferences& result) {
-  if (a.references == b.references && a.reserved == b.reserved) return;
+void diffCell(const Grid& gridA, const Grid& gridB, ivec3 cell, const Comparison& howA, const Comparison& howB, CellDifferences& result) {
+  const CellFacts factsA = cellFacts(gridA, cell), factsB = cellFacts(gridB, cell);
+  const std::vector<uint32_t> a = storedIn(gridA, cell), b = storedIn(gridB, cell);
+  if (a == b && factsA == factsB) return;
   std::string text;
-  if (a.references == b.references) {
+  if (a == b) {
     ++result.otherRefused;
     text = "other counts of refused references";
   } else {
-    ++(b.references.empty() ? result.onlyA : a.references.empty() ? result.onlyB : result.otherReferences);
-    const auto [inA, inB] = std::ranges::mismatch(a.references, b.references);
+    ++(b.empty() ? result.onlyA : a.empty() ? result.onlyB : result.otherReferences);
+    const auto [inA, inB] = std::ranges::mismatch(a, b);
     const auto text1 = [](const Comparison& how, auto at, auto end) { return at == end ? std::string("blank") : referenceText(how, *at); };
-    text = "slot " + std::to_string(inA - a.references.begin()) + ": A " + text1(howA, inA, a.references.end()) + ", B " +
-           text1(howB, inB, b.references.end());
+    text = "slot " + std::to_string(inA - a.begin()) + ": A " + text1(howA, inA, a.end()) + ", B " + text1(howB, inB, b.end());
   }
   if (result.first.empty()) result.first = cellText(cell) + ", " + text;
 }
 
 CellDifferences diffCells(const Grid& a, const Grid& b, const Comparison& howA, const Comparison& howB) {
-  const ivec3 count = a.parameters.cellCount;
-  CellDifferences result{.total = uint64_t(count.x) * uint64_t(count.y) * uint64_t(count.z)};
-  if (a.texels == b.texels && a.parameters.stride == b.parameters.stride) return result;
-  for (ivec3 cell(0); cell.z < count.z; ++cell.z)
-    for (cell.y = 0; cell.y < count.y; ++cell.y)
-      for (cell.x = 0; cell.x < count.x; ++cell.x) diffCell(readCell(a, cell), readCell(b, cell), cell, howA, howB, result);
+  CellDifferences result{.total = cellCountOf(a.parameters)};
+  if (a.words == b.words && storedAlike(a.parameters, b.parameters)) return result;
+  forCellsOfLayers(a.parameters, 0, a.parameters.cellCount.z, [&](ivec3 cell) { diffCell(a, b, cell, howA, howB, result); });
   return result;
 }
 

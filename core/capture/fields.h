@@ -14,8 +14,9 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/error.h"
-#include "core/grid/settings.h"
-#include "shaders/shared/pipeline/parameters.h"
+#include "core/grid/fields.h"
+#include "core/trace/settings.h"
+#include "shaders/shared/trace/frame.h"
 
 namespace gridscope {
 
@@ -247,32 +248,6 @@ void describe(Fields& field, CameraPose& pose) {
   field("target", pose.target);
   field("up", pose.up);
   field("verticalFovDegrees", pose.verticalFovDegrees);
-}
-
-// What no grid can do without.
-template <class Fields>
-void describeShape(Fields& field, GridParameters& grid) {
-  field("origin", grid.origin);
-  field("cellEdge", grid.cellEdge);
-  field("cellCount", grid.cellCount);
-  field("capacity", grid.capacity);
-  field("reserved", grid.reserved);
-  field.choice("stretchAxis", grid.stretchAxis, {"x", "y", "z"});
-}
-
-template <class Fields>
-void describeDerived(Fields& field, GridParameters& grid) {
-  field("stride", grid.stride);
-  field("inverseCellEdge", grid.inverseCellEdge);
-  field("planeRadiusSquared", grid.planeRadiusSquared);
-  field("boxHalfEdge", grid.boxHalfEdge);
-  field.choice("overlap", grid.overlap, {"plane", "exact"});
-  field.choice("insertion", grid.insertion, {"sorted", "first-come"});
-  field("staticInstanceCount", grid.staticInstanceCount);
-  field("instanceCount", grid.instanceCount);
-  field("staticTriangleCount", grid.staticTriangleCount);
-  field("triangleCount", grid.triangleCount);
-  field("cellsPerInvocation", grid.cellsPerInvocation);
 }
 
 template <class Fields>

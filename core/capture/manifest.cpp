@@ -6,7 +6,8 @@
 
 #include "core/base/gltf_files.h"
 #include "core/grid/derive.h"
-#include "shaders/shared/grid/grid.h"
+#include "core/trace/derive.h"
+#include "shaders/shared/grid/parameters.h"
 
 namespace gridscope {
 
@@ -20,31 +21,6 @@ constexpr size_t kMostFrameSide = 65535;
 // Where a foreign capture says nothing: as the pipeline has it for a scene of the grid's size.
 constexpr float kOriginOffset = 1e-5f;  // of the diagonal
 const vec3 kSunDirection = glm::normalize(vec3(0.35f, 0.85f, 0.25f));
-
-// Formulas of derive.cpp for what a foreign grid may leave out.
-void setGridDefaults(const GridSettings& settings, GridParameters& grid) {
-  const double radius = double(settings.enlargement) * grid.cellEdge * std::sqrt(3.0) / 2.0;
-  grid.stride = grid.capacity + grid.reserved;
-  grid.inverseCellEdge = divide(1.0f, grid.cellEdge);
-  grid.planeRadiusSquared = static_cast<float>(radius * radius);
-  grid.boxHalfEdge = static_cast<float>(double(settings.enlargement) * grid.cellEdge / 2.0);
-  grid.overlap = settings.overlap;
-  grid.insertion = settings.insertion;
-  grid.cellsPerInvocation = cellsPerInvocation(grid.capacity);
-}
-
-void readGrid(const FieldReader& field, const GridSettings& settings, GridParameters& grid) {
-  field.require({"origin", "cellEdge", "cellCount", "capacity", "reserved", "stretchAxis"});
-  describeShape(field, grid);
-  if (!(grid.cellEdge > 0.0f)) throw Error("grid.cellEdge is not above 0");
-  if (grid.capacity < 1 || grid.capacity > 16384) throw Error("grid.capacity is not from 1 to 16384");
-  if (grid.reserved < 0 || grid.reserved > 2) throw Error("grid.reserved is not 0, 1 or 2");
-  for (int axis = 0; axis < 3; ++axis)
-    if (grid.cellCount[axis] < 1 || grid.cellCount[axis] > 65535) throw Error("grid.cellCount is not from 1 to 65535");
-  setGridDefaults(settings, grid);
-  describeDerived(field, grid);
-  if (grid.stride != grid.capacity + grid.reserved) throw Error("grid.stride is not capacity + reserved");
-}
 
 Bounds gridBounds(const GridParameters& grid) { return {grid.origin, grid.origin + vec3(grid.cellCount) * grid.cellEdge}; }
 
@@ -199,7 +175,7 @@ void readManifest(const Json& manifest, PixelSize size, Capture& capture) {
   const FieldReader settings = field.object("settings");
   readSettings(settings, size, capture.settings);
   field.require({"grid"});
-  readGrid(field.object("grid"), capture.settings.grid, capture.grid);
+  readGridFields(field.object("grid"), capture.settings.grid, capture.grid);
   capture.trace = deriveTrace(capture.settings.trace, capture.grid);
   const FieldReader trace = field.object("trace");
   describe(trace, capture.trace);

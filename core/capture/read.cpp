@@ -11,7 +11,7 @@
 #include "core/capture/columns.h"
 #include "core/capture/manifest.h"
 #include "core/capture/zip.h"
-#include "shaders/shared/grid/grid.h"
+#include "shaders/shared/trace/ray.h"
 
 namespace gridscope {
 
@@ -31,7 +31,7 @@ struct FoundColumn {
   uint64_t count;  // elements of its part, a frame
 };
 
-size_t leadRank(Lead lead) { return lead == Lead::count ? 1 : lead == Lead::texels ? 3 : 2; }
+size_t leadRank(Lead lead) { return lead == Lead::count ? 1 : lead == Lead::grid ? 3 : 2; }
 
 class CaptureReader {
  public:
@@ -194,7 +194,7 @@ class CaptureReader {
 
   Error badShape(const ColumnRow& column, const std::vector<uint64_t>& shape) const {
     static const std::map<Lead, const char*> kLeads = {
-        {Lead::count, "count"}, {Lead::triangleCorners, "triangles, 3"}, {Lead::texels, "z, y, x"}, {Lead::pixels, "height, width"}};
+        {Lead::count, "count"}, {Lead::triangleCorners, "triangles, 3"}, {Lead::grid, "z, y, x"}, {Lead::pixels, "height, width"}};
     std::string wanted = "(" + std::string(partRow(column.part).perFrame ? "[frames, ]" : "") + kLeads.at(partRow(column.part).lead);
     for (uint64_t side : column.tail)
       if (column.part != Part::alpha) wanted += ", " + std::to_string(side);
@@ -207,12 +207,12 @@ class CaptureReader {
     const Lead lead = partRow(column.part).lead;
     if (lead == Lead::count && shape[0] <= UINT32_MAX) return shape[0];
     if (lead == Lead::triangleCorners && shape[0] <= UINT32_MAX && shape[1] == 3) return 3 * shape[0];
-    const ivec3 texels = gridTexelCount(capture().grid);
-    if (lead == Lead::texels && shape[0] == uint64_t(texels.z) && shape[1] == uint64_t(texels.y) && shape[2] == uint64_t(texels.x))
-      return shape[0] * shape[1] * shape[2];
-    if (lead == Lead::texels)
-      throw Error("has the shape " + npyShapeText(shape) + " a frame; the manifest's grid has (z, y, x) " +
-                  npyShapeText(std::array<uint64_t, 3>{uint64_t(texels.z), uint64_t(texels.y), uint64_t(texels.x)}));
+    if (lead == Lead::grid) {
+      const std::vector<uint64_t> wanted = gridArrayOf(capture().grid, column.entry).shape;
+      if (shape != wanted)
+        throw Error("has the shape " + npyShapeText(shape) + " a frame; the manifest's grid has (z, y, x) " + npyShapeText(wanted));
+      return gridArrayOf(capture().grid, column.entry).count;
+    }
     const FrameSettings& settings = capture().settings;
     if (lead == Lead::pixels && shape[0] == settings.height && shape[1] == settings.width) return shape[0] * shape[1];
     if (lead == Lead::pixels)

@@ -5,19 +5,17 @@
 #include "core/capture/columns.h"
 #include "core/capture/manifest.h"
 #include "core/capture/zip.h"
-#include "shaders/shared/grid/grid.h"
 
 namespace gridscope {
 
 namespace {
 
 // The first dimensions of a part's columns.
-std::vector<uint64_t> leadShape(const Capture& capture, const PartRow& part, uint64_t count) {
-  const ivec3 texels = gridTexelCount(capture.grid);
+std::vector<uint64_t> leadShape(const Capture& capture, const ColumnRow& column, const PartRow& part, uint64_t count) {
   switch (part.lead) {
     case Lead::count: return {count};
     case Lead::triangleCorners: return {count / 3, 3};
-    case Lead::texels: return {uint64_t(texels.z), uint64_t(texels.y), uint64_t(texels.x)};
+    case Lead::grid: return gridArrayOf(capture.grid, column.entry).shape;
     case Lead::pixels: break;
   }
   return {capture.settings.height, capture.settings.width};
@@ -74,7 +72,7 @@ class CaptureFormatter {
     const PartRow& part = partRow(column.part);
     const uint64_t count = partBytes(arrays_, column.part, 0).size() / part.elementBytes;
     if (column.part == Part::alpha) return {4 * count};
-    std::vector<uint64_t> shape = leadShape(capture_, part, count);
+    std::vector<uint64_t> shape = leadShape(capture_, column, part, count);
     shape.insert(shape.end(), column.tail.begin(), column.tail.end());
     if (changes(column.part)) shape.insert(shape.begin(), capture_.frames.size());
     return shape;

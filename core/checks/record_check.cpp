@@ -1,9 +1,8 @@
 // See record_check.h.
 #include "core/checks/record_check.h"
+#include "shaders/shared/base/hash.h"
 
 #include <cstring>
-
-#include "shaders/shared/views/palette.h"
 
 namespace gridscope {
 

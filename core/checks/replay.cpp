@@ -100,11 +100,11 @@ class Replay {
 
   void compareGrid(const CaptureFrame& captured, size_t frame) {
     const Grid grid = stages_->grid();
-    made<uint32_t>(kGrid, grid.texels);
+    made<uint32_t>(kGrid, grid.words);
     if (captured.grid.empty()) return;
     const Grid stored{capture_.grid, captured.grid};
     note(kGrid, firstCome_ ? compareGridsAsSets(stored, grid, how()) : compareGrids(stored, grid, how()), frame);
-    grid_ = grid.texels;
+    grid_ = grid.words;
   }
 
   void compareTraced(const CaptureFrame& captured, size_t frame) {
@@ -208,9 +208,8 @@ std::string whyNotFrom(const Capture& capture, ReplayFrom from) {
   from = chosen(capture, from);
   if (from == ReplayFrom::trace && first.grid.empty()) return "holds no grid to trace in";
   if (from == ReplayFrom::trace && first.rays.empty()) return "holds no rays to trace";
-  if (from != ReplayFrom::trace && capture.grid.reserved != 2)
-    return "its grid has " + std::to_string(capture.grid.reserved) +
-           " reserved texels a cell, which this program does not build; use --from trace";
+  if (from != ReplayFrom::trace && !gridAbilities(capture.grid).built)
+    return "its grid has " + refusalText(capture.grid) + ", which this program does not build; use --from trace";
   if (from == ReplayFrom::update && capture.frames.size() == 1) return "holds one frame: an update needs a sequence";
   if (from == ReplayFrom::update && first.grid.empty()) return "holds no grids to update";
   return "";

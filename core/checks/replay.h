@@ -29,7 +29,7 @@ const char* verdictName(Verdict verdict);
 // One product over all frames and repetitions.
 struct ReplayedProduct {
   std::string name;        // "grid", "hits", "counters", "exact"
-  uint64_t different = 0;  // elements: texels (first-come: cells), pixels; of the repetition where most differ
+  uint64_t different = 0;  // elements: words of the grid (first-come: cells), pixels; of the repetition where most differ
   uint64_t total = 0;      // compared
   std::string first;       // the first difference in words; empty: all equal
   uint32_t distinct = 1;   // results among the repetitions

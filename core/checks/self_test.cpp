@@ -9,7 +9,7 @@
 #include "core/gpu/run_pass.h"
 #include "core/scene/built_in_scenes.h"
 #include "shaders/shared/checks/self_test.h"
-#include "shaders/shared/pipeline/bindings.h"
+#include "shaders/shared/gpu/bindings.h"
 
 namespace gridscope {
 namespace {

@@ -3,8 +3,9 @@
 
 #include <algorithm>
 
-#include "shaders/shared/pipeline/bindings.h"
-#include "shaders/shared/views/view_element.h"
+#include "shaders/shared/gpu/bindings.h"
+#include "shaders/shared/trace/frame.h"
+#include "shaders/shared/base/view_element.h"
 
 namespace gridscope {
 namespace {
@@ -60,7 +61,7 @@ double PictureStages::gather() {
   colour.imageLayout = VK_IMAGE_LAYOUT_GENERAL;
   colour.loadOp = VK_ATTACHMENT_LOAD_OP_CLEAR;
   colour.storeOp = VK_ATTACHMENT_STORE_OP_STORE;
-  colour.clearValue.color.uint32[0] = kBlank;
+  colour.clearValue.color.uint32[0] = kNoReference;
   VkRenderingAttachmentInfo depth = colour;
   depth.imageView = depth_.view();
   depth.clearValue.depthStencil = {0.0f, 0};

@@ -5,7 +5,7 @@
 #include "core/gpu/picture_stages.h"
 #include "core/gpu/shader_code.h"
 #include "core/gpu/trace_stages.h"
-#include "shaders/shared/pipeline/bindings.h"
+#include "shaders/shared/gpu/bindings.h"
 
 namespace gridscope {
 

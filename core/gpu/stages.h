@@ -13,10 +13,11 @@
 #include "core/gpu/times.h"
 #include "core/grid/build.h"
 #include "core/grid/invariants.h"
-#include "core/grid/settings.h"
 #include "core/scene/numbering.h"
 #include "core/scene/scene.h"
+#include "core/trace/settings.h"
 #include "core/trace/trace.h"
+#include "shaders/shared/trace/frame.h"
 
 namespace gridscope {
 

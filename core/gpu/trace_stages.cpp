@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <bit>
 
-#include "shaders/shared/pipeline/bindings.h"
+#include "shaders/shared/gpu/bindings.h"
 
 namespace gridscope {
 namespace {

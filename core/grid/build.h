@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "core/grid/grid.h"
-#include "core/grid/settings.h"
 #include "core/scene/numbering.h"
 
 namespace gridscope {

@@ -4,7 +4,7 @@
 #include <span>
 
 #include "core/grid/build.h"
-#include "shaders/shared/scene/triangle.h"
+#include "shaders/shared/grid/overlap.h"
 
 namespace gridscope {
 

@@ -5,7 +5,6 @@
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
-#include "core/grid/demand.h"
 
 namespace gridscope {
 
@@ -26,7 +25,7 @@ CellUpdate compareCell(const std::vector<uint32_t>& before, const std::vector<ui
   update.kept = uint32_t(kept.size());
   update.cleared = uint32_t(before.size()) - update.kept;
   update.filled = uint32_t(after.size()) - update.kept;
-  update.instance = !changed.empty() ? referenceInstance(changed.front()) : !kept.empty() ? referenceInstance(kept.front()) : kBlank;
+  update.instance = !changed.empty() ? referenceInstance(changed.front()) : !kept.empty() ? referenceInstance(kept.front()) : kNoReference;
   return update;
 }
 
@@ -37,10 +36,8 @@ std::vector<CellUpdate> compareUpdate(const Grid& before, const Grid& after) {
   CHECK(before.parameters.cellCount == grid.cellCount);
   std::vector<CellUpdate> updates(cellCountOf(grid));
   forRanges(size_t(grid.cellCount.z), 1, [&](size_t begin, size_t end) {
-    for (ivec3 cell(0, 0, int(begin)); cell.z < int(end); ++cell.z)
-      for (cell.y = 0; cell.y < grid.cellCount.y; ++cell.y)
-        for (cell.x = 0; cell.x < grid.cellCount.x; ++cell.x)
-          updates[cellNumber(grid, cell)] = compareCell(dynamicIn(before, cell), dynamicIn(after, cell));
+    forCellsOfLayers(grid, int(begin), int(end),
+                     [&](ivec3 cell) { updates[cellNumber(grid, cell)] = compareCell(dynamicIn(before, cell), dynamicIn(after, cell)); });
   });
   return updates;
 }

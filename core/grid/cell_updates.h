@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/grid/grid.h"
-#include "shaders/shared/pipeline/findings.h"
+#include "shaders/shared/grid/findings.h"
 
 namespace gridscope {
 

@@ -78,7 +78,7 @@ Demand::Demand(const GridParameters& grid, const NumberedScene& scene, std::span
 
 std::span<const uint32_t> Demand::wanted(ivec3 cell) const {
   if (first_.empty() || !gridContains(grid_, cell)) return {};
-  const size_t index = cellIndex(grid_, cell);
+  const size_t index = idOfCell(grid_, cell);
   return std::span(references_).subspan(first_[index], first_[index + 1] - first_[index]);
 }
 
@@ -87,22 +87,11 @@ bool Demand::wants(ivec3 cell, uint32_t reference) const {
   return std::binary_search(references.begin(), references.end(), reference);
 }
 
-std::vector<uint32_t> storedIn(const Grid& grid, ivec3 cell) {
-  std::vector<uint32_t> references;
-  if (!gridContains(grid.parameters, cell)) return references;
-  for (int slot = 0; slot < grid.parameters.capacity; ++slot) {
-    const uint32_t reference = grid.at(gridTexel(grid.parameters, cell, slot));
-    if (reference == kBlank) break;
-    references.push_back(reference);
-  }
-  return references;
-}
-
 std::vector<uint32_t> refusedBy(const Grid& grid, const Demand& demand, ivec3 cell) {
   if (!gridContains(grid.parameters, cell)) return {};
-  const CellSlots slots = readCell(grid, cell);
-  if (slots.references.size() < size_t(grid.parameters.capacity) || !cellSaturated(grid.parameters, slots)) return {};
-  std::vector<uint32_t> stored = slots.references, refused;
+  const CellFacts facts = cellFacts(grid, cell);
+  if (facts.stored < uint32_t(grid.parameters.capacity) || !facts.saturated) return {};
+  std::vector<uint32_t> stored = storedIn(grid, cell), refused;
   std::sort(stored.begin(), stored.end());
   const std::span<const uint32_t> wanted = demand.wanted(cell);
   std::set_difference(wanted.begin(), wanted.end(), stored.begin(), stored.end(), std::back_inserter(refused));

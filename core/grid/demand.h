@@ -28,9 +28,6 @@ class Demand {
   std::vector<uint32_t> references_;
 };
 
-// A cell's references up to its first blank, in slot order: what a ray is shown. Empty outside the grid.
-std::vector<uint32_t> storedIn(const Grid& grid, ivec3 cell);
-
 // What a cell was asked to take and refused, rising: where it is full and says so, what it does not hold. A cell with room refused nothing.
 std::vector<uint32_t> refusedBy(const Grid& grid, const Demand& demand, ivec3 cell);
 

@@ -2,14 +2,15 @@
 #include "core/grid/derive.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <functional>
 #include <string>
 
 #include "core/base/error.h"
-#include "shaders/shared/grid/grid.h"
+#include "core/base/numbers.h"
+#include "core/base/text.h"
+#include "core/grid/grid.h"
+#include "shaders/shared/grid/layout.h"
 
 namespace gridscope {
 
@@ -27,57 +28,44 @@ constexpr uint32_t kMostDeviceCapacity = kLoopBudget / 8 - 2;
 // A cell edge must be this many times the distance of neighbouring floats at the bounds: a cell's faces and centre are then distinct.
 constexpr float kFloatsPerCell = 16.0f;
 
-template <typename... Values>
-std::string format(const char* text, Values... values) {
-  std::array<char, 512> line;
-  std::snprintf(line.data(), line.size(), text, values...);
-  return line.data();
-}
-
-bool isFinite(const vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
-
 float largest(const vec3& v) { return std::max(v.x, std::max(v.y, v.z)); }
-
-void checkNumber(const char* option, float value, float low, float high) {
-  if (!(value >= low && value <= high)) throw Error(format("%s %g: give a number from %g to %g", option, value, low, high));
-}
 
 Bounds checkBounds(const GridSettings& settings, const Bounds& sceneBounds) {
   const Bounds& bounds = settings.bounds ? *settings.bounds : sceneBounds;
   const char* name = settings.bounds ? "--bounds" : "the scene's bounds";
   if (!isFinite(bounds.low) || !isFinite(bounds.high))
-    throw Error(format("%s: not finite; give --bounds minx,miny,minz,maxx,maxy,maxz", name));
+    throw Error(printed("%s: not finite; give --bounds minx,miny,minz,maxx,maxy,maxz", name));
   for (int axis = 0; axis < 3; ++axis)
     if (bounds.low[axis] > bounds.high[axis])
-      throw Error(format("%s: the low end %g lies above the high end %g on %c; give --bounds minx,miny,minz,maxx,maxy,maxz", name,
-                         bounds.low[axis], bounds.high[axis], "xyz"[axis]));
+      throw Error(printed("%s: the low end %g lies above the high end %g on %c; give --bounds minx,miny,minz,maxx,maxy,maxz", name,
+                          bounds.low[axis], bounds.high[axis], "xyz"[axis]));
   if (largest(abs(bounds.low)) > kCoordinateLimit || largest(abs(bounds.high)) > kCoordinateLimit)
-    throw Error(format("%s: coordinates beyond %g are not supported; scale the scene down", name, kCoordinateLimit));
+    throw Error(printed("%s: coordinates beyond %g are not supported; scale the scene down", name, kCoordinateLimit));
   return bounds;
 }
 
 void checkCapacity(uint32_t capacity) {
   if (capacity < 1 || capacity > kMostCapacity)
-    throw Error(format("--capacity %u: give a number of slots from 1 to %u", capacity, kMostCapacity));
+    throw Error(printed("--capacity %u: give a number of slots from 1 to %u", capacity, kMostCapacity));
 }
 
 float chooseCellEdge(const GridSettings& settings, const Bounds& bounds) {
   float edge = settings.cellEdge;
   if (edge == 0.0f) {
     if (settings.cells < 1 || settings.cells > kMostCellsPerSide - 2.0)
-      throw Error(format("--cells %u: give a number from 1 to %.0f", settings.cells, kMostCellsPerSide - 2.0));
+      throw Error(printed("--cells %u: give a number from 1 to %.0f", settings.cells, kMostCellsPerSide - 2.0));
     edge = static_cast<float>(double(largest(bounds.high - bounds.low)) / settings.cells);
     if (edge == 0.0f) throw Error("the bounds are a single point, so that --cells says nothing; give --cell-edge, or larger --bounds");
   }
-  if (!(edge > 0.0f) || !std::isfinite(edge)) throw Error(format("--cell-edge %g: give a length above 0, in world units", edge));
+  if (!(edge > 0.0f) || !std::isfinite(edge)) throw Error(printed("--cell-edge %g: give a length above 0, in world units", edge));
 
   const float farthest = std::max(largest(abs(bounds.low)), largest(abs(bounds.high))) + edge;
   const float finest = std::max(kFloatsPerCell * (std::nextafter(farthest, INFINITY) - farthest), 1e-9f);
   if (edge < finest)
     throw Error(
-        format("cells of %g are too fine for coordinates of up to %g, which are %g apart as 32-bit floats; take fewer --cells or a "
-               "--cell-edge of at least %g, or move the scene closer to its origin",
-               edge, farthest, finest / kFloatsPerCell, finest));
+        printed("cells of %g are too fine for coordinates of up to %g, which are %g apart as 32-bit floats; take fewer --cells or a "
+                "--cell-edge of at least %g, or move the scene closer to its origin",
+                edge, farthest, finest / kFloatsPerCell, finest));
   return edge;
 }
 
@@ -90,8 +78,8 @@ ivec3 countCells(const Bounds& bounds, float edge) {
   for (int axis = 0; axis < 3; ++axis) {
     const double cells = cellsAlong(double(bounds.high[axis]) - bounds.low[axis], edge);
     if (cells > kMostCellsPerSide)
-      throw Error(format("a cell edge of %g makes %.0f cells along %c; at most %.0f are supported: give a larger --cell-edge", edge, cells,
-                         "xyz"[axis], kMostCellsPerSide));
+      throw Error(printed("a cell edge of %g makes %.0f cells along %c; at most %.0f are supported: give a larger --cell-edge", edge, cells,
+                          "xyz"[axis], kMostCellsPerSide));
     count[axis] = static_cast<int>(cells);
   }
   return count;
@@ -113,13 +101,13 @@ std::string misfit(const GridParameters& grid, const GridLimits& limits) {
   const int side = std::max(texels.x, std::max(texels.y, texels.z));
   const double mebibytes = gridByteCount(grid) / 1048576.0;
   if (limits.maxImageSide != 0 && uint32_t(grid.capacity) > kMostDeviceCapacity)
-    return format("has more than the %u slots a cell that a device's loops may walk", kMostDeviceCapacity);
+    return printed("has more than the %u slots a cell that a device's loops may walk", kMostDeviceCapacity);
   if (limits.maxImageSide != 0 && uint32_t(side) > limits.maxImageSide)
-    return format("is an image %d texels long, and at most %u are possible", side, limits.maxImageSide);
+    return printed("is an image %d texels long, and at most %u are possible", side, limits.maxImageSide);
   if (limits.maxImageBytes != 0 && gridByteCount(grid) > limits.maxImageBytes)
-    return format("takes %.1f MiB, and one image can hold %.1f", mebibytes, limits.maxImageBytes / 1048576.0);
+    return printed("takes %.1f MiB, and one image can hold %.1f", mebibytes, limits.maxImageBytes / 1048576.0);
   if (limits.maxMemoryBytes != 0 && gridByteCount(grid) > limits.maxMemoryBytes)
-    return format("takes %.1f MiB, and %.1f are free", mebibytes, limits.maxMemoryBytes / 1048576.0);
+    return printed("takes %.1f MiB, and %.1f are free", mebibytes, limits.maxMemoryBytes / 1048576.0);
   return "";
 }
 
@@ -162,15 +150,34 @@ std::string adviseSettings(const GridSettings& settings, const GridParameters& g
   const uint32_t capacity = largestThat(static_cast<uint32_t>(grid.capacity), [&](uint32_t n) { return fits(withCapacity(grid, n)); });
 
   std::string advice;
-  if (cells > 0 && settings.cellEdge > 0.0f) advice = format("--cell-edge %.6g fits", longest * grid.cellEdge / cells * 1.00001);
-  if (cells > 0 && settings.cellEdge == 0.0f) advice = format("--cells %u fits", cells);
-  if (capacity > 0) advice += format("%s--capacity %u fits", advice.empty() ? "" : ", or ", capacity);
+  if (cells > 0 && settings.cellEdge > 0.0f) advice = printed("--cell-edge %.6g fits", longest * grid.cellEdge / cells * 1.00001);
+  if (cells > 0 && settings.cellEdge == 0.0f) advice = printed("--cells %u fits", cells);
+  if (capacity > 0) advice += printed("%s--capacity %u fits", advice.empty() ? "" : ", or ", capacity);
   return advice.empty() ? "smaller --bounds may fit" : advice;
 }
 
 }  // namespace
 
 uint32_t cellsPerInvocation(int capacity) { return std::max(1u, kLoopBudget / (8 * (static_cast<uint32_t>(capacity) + 2))); }
+
+Stretch stretchOf(const GridParameters& grid) { return Stretch(grid.stretchAxis); }
+
+GridParameters laidOutHere(GridParameters grid) {
+  grid.reserved = 2;
+  grid.stride = grid.capacity + grid.reserved;
+  grid.cellsPerInvocation = cellsPerInvocation(grid.capacity);
+  return grid;
+}
+
+void deriveFromEdge(const GridSettings& settings, GridParameters& grid) {
+  const double radius = double(settings.enlargement) * grid.cellEdge * std::sqrt(3.0) / 2.0;
+  grid.inverseCellEdge = divide(1.0f, grid.cellEdge);
+  grid.planeRadiusSquared = static_cast<float>(radius * radius);
+  grid.boxHalfEdge = static_cast<float>(double(settings.enlargement) * grid.cellEdge / 2.0);
+  grid.overlap = settings.overlap;
+  grid.insertion = settings.insertion;
+  grid.cellsPerInvocation = cellsPerInvocation(grid.capacity);
+}
 
 GridParameters deriveGrid(const GridSettings& settings, const Bounds& sceneBounds, const NumberedScene& scene) {
   const Bounds bounds = checkBounds(settings, sceneBounds);
@@ -182,21 +189,14 @@ GridParameters deriveGrid(const GridSettings& settings, const Bounds& sceneBound
   grid.cellEdge = chooseCellEdge(settings, bounds);
   grid.cellCount = countCells(bounds, grid.cellEdge);
   grid.origin = vec3(stored(bounds.low.x - grid.cellEdge), stored(bounds.low.y - grid.cellEdge), stored(bounds.low.z - grid.cellEdge));
-  grid.inverseCellEdge = divide(1.0f, grid.cellEdge);
   grid.capacity = static_cast<int>(settings.capacity);
   grid.reserved = 2;
   grid.stride = grid.capacity + grid.reserved;
   grid.stretchAxis = chooseStretchAxis(settings.stretch, grid.cellCount);
+
+  deriveFromEdge(settings, grid);
   CHECK(gridContains(grid, gridCell(grid, bounds.low)));
   CHECK(gridContains(grid, gridCell(grid, bounds.high)));
-
-  // Overlap and insertion.
-  const double radius = double(settings.enlargement) * grid.cellEdge * std::sqrt(3.0) / 2.0;
-  grid.planeRadiusSquared = static_cast<float>(radius * radius);
-  grid.boxHalfEdge = static_cast<float>(double(settings.enlargement) * grid.cellEdge / 2.0);
-  grid.overlap = settings.overlap;
-  grid.insertion = settings.insertion;
-  grid.cellsPerInvocation = cellsPerInvocation(grid.capacity);
 
   // What the scene says.
   grid.staticInstanceCount = scene.staticInstanceCount;
@@ -206,68 +206,12 @@ GridParameters deriveGrid(const GridSettings& settings, const Bounds& sceneBound
   return grid;
 }
 
-TraceParameters deriveTrace(const TraceSettings& settings, const GridParameters& grid) {
-  checkNumber("--back", settings.back, 0.0f, 1e6f);
-  checkNumber("--ahead", settings.ahead, 0.0f, 1e6f);
-  checkNumber("--tmin", settings.tMin, 0.0f, 1e6f);
-  checkNumber("--gate", settings.gate, 0.0f, 1e6f);
-
-  const double edge = grid.cellEdge;
-  TraceParameters trace{};
-  trace.tMin = stored(static_cast<float>(settings.tMin * edge));
-  trace.back = stored(static_cast<float>(settings.back * edge));
-  trace.ahead = static_cast<float>((1.0 + settings.ahead) * edge);
-  trace.gate = stored(static_cast<float>(settings.gate * edge));
-  trace.gapFill = settings.gapFill ? 1u : 0u;
-  trace.traversal = settings.traversal;
-
-  // Enough to cross: the diagonal in cell edges, or a step for every face.
-  const glm::dvec3 cells(grid.cellCount);
-  const double crossing = settings.traversal == kTraversalDda ? cells.x + cells.y + cells.z + 3.0 : std::ceil(glm::length(cells)) + 2.0;
-  trace.maxSegments = settings.maxSegments != 0 ? settings.maxSegments : static_cast<uint32_t>(crossing);
-
-  // A segment costs a step and a test for every slot; half of the budget, so that what a compiler adds has room.
-  trace.segmentsPerPass = std::max(1u, kLoopBudget / (2 * (static_cast<uint32_t>(grid.capacity) + 2)));
-  return trace;
-}
-
-CameraParameters deriveCamera(const CameraPose& pose, uint32_t width, uint32_t height, float sceneDiagonal) {
-  if (width < 1 || height < 1 || width > 65535 || height > 65535)
-    throw Error(format("--size %ux%u: give a width and a height from 1 to 65535", width, height));
-  if (!isFinite(pose.eye) || !isFinite(pose.target) || !isFinite(pose.up)) throw Error("--camera: a coordinate is not finite");
-  checkNumber("--camera: vertical field of view", pose.verticalFovDegrees, 0.1f, 179.0f);
-  const glm::dvec3 view = glm::dvec3(pose.target) - glm::dvec3(pose.eye);
-  if (!(glm::length(view) > 1e-9)) throw Error("--camera: the eye and the target coincide; move one of them");
-
-  // Axes; a view along `up` takes the axis that lies most across it instead.
-  const glm::dvec3 forward = glm::normalize(view);
-  glm::dvec3 right = glm::cross(forward, glm::dvec3(pose.up));
-  if (!(glm::length(right) > 1e-4 * glm::length(glm::dvec3(pose.up))))
-    right = glm::cross(forward, std::abs(forward.z) < 0.9 ? glm::dvec3(0, 0, -1) : glm::dvec3(0, 1, 0));
-  right = glm::normalize(right);
-
-  CameraParameters camera{};
-  camera.eye = pose.eye;
-  camera.nearPlane = std::max(1e-3f * sceneDiagonal, 1e-6f);
-  camera.right = vec3(right);
-  camera.up = vec3(glm::cross(right, forward));
-  camera.forward = vec3(forward);
-  const double tangent = std::tan(glm::radians(double(pose.verticalFovDegrees)) / 2.0);
-  camera.tanHalfHeight = static_cast<float>(tangent);
-  camera.tanHalfWidth = static_cast<float>(tangent * width / height);
-  camera.width = width;
-  camera.height = height;
-  return camera;
-}
-
-uint64_t gridByteCount(const GridParameters& grid) { return texelCount(gridTexelCount(grid)) * sizeof(uint32_t); }
-
 void checkGridFits(const GridSettings& settings, const GridParameters& grid, const GridLimits& limits) {
   const std::string reason = misfit(grid, limits);
   if (reason.empty()) return;
   const std::string shape =
-      format("a grid of %d x %d x %d cells with capacity %d ", grid.cellCount.x, grid.cellCount.y, grid.cellCount.z, grid.capacity);
-  const std::string device = *limits.device == '\0' ? "" : format(" on %s", limits.device);
+      printed("a grid of %d x %d x %d cells with capacity %d ", grid.cellCount.x, grid.cellCount.y, grid.cellCount.z, grid.capacity);
+  const std::string device = *limits.device == '\0' ? "" : printed(" on %s", limits.device);
   throw Error(shape + reason + device + "; " + adviseSettings(settings, grid, limits), kExitDevice);
 }
 

@@ -2,8 +2,7 @@
 #pragma once
 
 #include "core/grid/settings.h"
-#include "core/scene/numbering.h"
-#include "shaders/shared/pipeline/parameters.h"
+#include "shaders/shared/grid/parameters.h"
 
 namespace gridscope {
 
@@ -18,13 +17,14 @@ uint32_t cellsPerInvocation(int capacity);
 // no cells, bounds that are empty or not finite) and for grids beyond the format's limits.
 GridParameters deriveGrid(const GridSettings& settings, const Bounds& sceneBounds, const NumberedScene& scene);
 
-TraceParameters deriveTrace(const TraceSettings& settings, const GridParameters& grid);
+// What derives from the cell edge, the capacity and the settings of overlap and insertion.
+void deriveFromEdge(const GridSettings& settings, GridParameters& grid);
 
-// Camera axes from a pose; a pose that looks straight along `up` is turned a little. Throws Error when eye and target coincide.
-CameraParameters deriveCamera(const CameraPose& pose, uint32_t width, uint32_t height, float sceneDiagonal);
+// The setting that makes the grid's stretched axis.
+Stretch stretchOf(const GridParameters& grid);
 
-// Size of the grid's texels in bytes.
-uint64_t gridByteCount(const GridParameters& grid);
+// As a build of this program lays out a grid of that shape.
+GridParameters laidOutHere(GridParameters grid);
 
 // What a device can hold; the defaults are memory's alone (the C++ path).
 struct GridLimits {

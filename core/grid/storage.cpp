@@ -1,7 +1,7 @@
 // See storage.h.
 #include "core/grid/storage.h"
 
-#include "shaders/shared/pipeline/bindings.h"
+#include "shaders/shared/grid/layout.h"
 
 namespace gridscope {
 

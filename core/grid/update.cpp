@@ -40,14 +40,6 @@ struct RestoringInsert : SlotWriter {
 #include "shaders/shared/grid/insert.h"
 };
 
-template <typename Visit>
-void forCells(const GridParameters& grid, int beginZ, int endZ, Visit visit) {
-  ivec3 cell;
-  for (cell.z = beginZ; cell.z < endZ; ++cell.z)
-    for (cell.y = 0; cell.y < grid.cellCount.y; ++cell.y)
-      for (cell.x = 0; cell.x < grid.cellCount.x; ++cell.x) visit(cell);
-}
-
 // Blanks a cell's dynamic references, and forgets those it refused.
 void clearDynamic(const GridParameters& grid, SlotWriter& slots, const ivec3& cell) {
   for (int slot = 0; slot < grid.capacity; ++slot) {
@@ -87,7 +79,7 @@ void markCells(const NumberedScene& scene, std::span<const uint32_t> instances, 
 // Prepares every touched cell for the insertion: rebuilt ones lose their whole dynamic part, others what moved.
 void openCells(Grid& grid, CellMarks& marks, const std::vector<bool>& isMoved, UpdateReport& report) {
   SlotWriter slots(grid);
-  forCells(grid.parameters, 0, grid.parameters.cellCount.z, [&](const ivec3& cell) {
+  forCellsOfLayers(grid.parameters, 0, grid.parameters.cellCount.z, [&](const ivec3& cell) {
     uint8_t& mark = marks.at(cell);
     if (mark == 0) return;
     report.cellsTouched += 1;
@@ -104,14 +96,14 @@ void openCells(Grid& grid, CellMarks& marks, const std::vector<bool>& isMoved, U
 }  // namespace
 
 UpdateReport updateAll(const NumberedScene& scene, std::span<Triangle> worldTriangles, Grid& grid) {
-  CHECK_EQ(grid.parameters.reserved, 2);
+  CHECK(gridAbilities(grid.parameters).updated);
   const GridParameters& parameters = grid.parameters;
   const InstanceRange dynamics{scene.staticInstanceCount, scene.instanceCount()};
 
   // Clear.
   forRanges(size_t(parameters.cellCount.z), 8, [&](size_t begin, size_t end) {
     SlotWriter slots(grid);
-    forCells(parameters, int(begin), int(end), [&](const ivec3& cell) { clearDynamic(parameters, slots, cell); });
+    forCellsOfLayers(parameters, int(begin), int(end), [&](const ivec3& cell) { clearDynamic(parameters, slots, cell); });
   });
 
   // Add.
@@ -123,7 +115,7 @@ UpdateReport updateAll(const NumberedScene& scene, std::span<Triangle> worldTria
 }
 
 UpdateReport updateMoved(const NumberedScene& scene, std::span<const uint32_t> moved, std::span<Triangle> worldTriangles, Grid& grid) {
-  CHECK_EQ(grid.parameters.reserved, 2);
+  CHECK(gridAbilities(grid.parameters).updated);
   std::vector<bool> isMoved(scene.instanceCount());
   for (uint32_t i : moved) {
     CHECK_LE(scene.staticInstanceCount, i);

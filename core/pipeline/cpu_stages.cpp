@@ -4,6 +4,7 @@
 #include <cstring>
 
 #include "core/base/error.h"
+#include "core/grid/derive.h"
 
 namespace gridscope {
 
@@ -34,8 +35,8 @@ void CpuStages::update(std::span<const Instance> instances) {
   dynamicAdded_ = true;
 }
 
-void CpuStages::useGrid(std::span<const uint32_t> texels) {
-  grid_ = {parameters_.grid, {texels.begin(), texels.end()}};
+void CpuStages::useGrid(std::span<const uint32_t> words) {
+  grid_ = {parameters_.grid, {words.begin(), words.end()}};
   transformTriangles(scene_, {0, scene_.instanceCount()}, worldTriangles_);
 }
 

@@ -14,7 +14,7 @@ class CpuStages {
 
   void build();
   void update(std::span<const Instance> instances);
-  void useGrid(std::span<const uint32_t> texels);
+  void useGrid(std::span<const uint32_t> words);
   void useRays(std::span<const Ray> rays) { rays_.assign(rays.begin(), rays.end()); }
   void trace(bool counting);
 

@@ -36,7 +36,7 @@ CaptureFrame takeFrame(Pipeline& pipeline, const CaptureProducts& products, floa
   // What the last view left there is no part of the frame.
   frame.view.width = parameters.camera.width;
   frame.view.height = parameters.camera.height;
-  if (products.grid) frame.grid = pipeline.grid().texels;
+  if (products.grid) frame.grid = pipeline.grid().words;
   if (products.gather) frame.gather = pipeline.gatherPixels();
   if (products.rays) frame.rays = pipeline.rays();
   if (products.hits) frame.hits = pipeline.hits();
@@ -53,7 +53,7 @@ std::vector<ExactHit> traceExactHits(const TraceInput& input, std::span<const Ra
   std::vector<ExactHit> exact;
   exact.reserve(rays.size());
   for (const Hit& hit : ExactReference(input).trace(rays))
-    exact.push_back(hit.kind == kHitTriangle ? ExactHit{hit.t, hit.reference} : ExactHit{0.0f, kBlank});
+    exact.push_back(hit.kind == kHitTriangle ? ExactHit{hit.t, hit.reference} : ExactHit{0.0f, kNoReference});
   return exact;
 }
 
@@ -87,7 +87,7 @@ std::vector<Instance> frameInstances(const Capture& capture, size_t frame) {
   return instances;
 }
 
-bool builtHere(const Capture& capture) { return capture.grid.reserved == 2 && capture.writer.starts_with(kWriterName); }
+bool builtHere(const Capture& capture) { return gridAbilities(capture.grid).built && capture.writer.starts_with(kWriterName); }
 
 bool lacksDiffuseMaps(const Capture& capture) {
   return std::ranges::any_of(capture.scene.materials, [](const TraceMaterial& material) { return material.layer != kNoLayer; });

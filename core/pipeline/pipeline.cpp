@@ -8,7 +8,9 @@
 #include "core/base/error.h"
 #include "core/gpu/grid/limits.h"
 #include "core/gpu/stages.h"
-#include "shaders/shared/pipeline/bindings.h"
+#include "core/trace/derive.h"
+#include "shaders/shared/gpu/bindings.h"
+#include "shaders/shared/grid/slice.h"
 
 namespace gridscope {
 namespace {
@@ -193,15 +195,15 @@ void Pipeline::useInstances(std::span<const Instance> instances) {
   std::ranges::copy(instances, numbered_.instances.begin());
 }
 
-void Pipeline::useGrid(std::span<const uint32_t> texels) {
-  CHECK_EQ(texels.size() * sizeof(uint32_t), gridByteCount(parameters_.grid));
+void Pipeline::useGrid(std::span<const uint32_t> words) {
+  CHECK_EQ(words.size(), gridWordCount(parameters_.grid));
   stages_->setInstances(numbered_.instances);
   stages_->setParameters(parameters_);
   if (device_ == StageDevice::vulkan) {
-    stages_->writeGrid(texels);
+    stages_->writeGrid(words);
     stages_->transformAll();
   } else {
-    cpuGrid_ = {parameters_.grid, {texels.begin(), texels.end()}};
+    cpuGrid_ = {parameters_.grid, {words.begin(), words.end()}};
     transformTriangles(numbered_, {0, numbered_.instanceCount()}, cpuWorldTriangles_);
     stages_->write(kBindWorldTriangles, std::span<const Triangle>(cpuWorldTriangles_));
   }
@@ -302,7 +304,7 @@ Pipeline::ViewImage Pipeline::view(std::string_view name, const SliceSettings& s
     stages_->makeGrid(parameters_.grid);
   }
   stages_->setParameters(parameters_);
-  if (bringGrid) stages_->writeGrid(cpuGrid_.texels);
+  if (bringGrid) stages_->writeGrid(cpuGrid_.words);
 
   std::string stem = "view_" + std::string(name);
   std::replace(stem.begin(), stem.end(), '-', '_');

@@ -11,14 +11,15 @@
 
 #include "core/gpu/context.h"
 #include "core/grid/build.h"
-#include "core/grid/derive.h"
 #include "core/grid/invariants.h"
-#include "core/grid/settings.h"
 #include "core/scene/numbering.h"
 #include "core/scene/scene.h"
+#include "core/trace/settings.h"
 #include "core/trace/trace.h"
-#include "shaders/shared/pipeline/findings.h"
-#include "shaders/shared/views/view_element.h"
+#include "shaders/shared/base/view_element.h"
+#include "shaders/shared/grid/findings.h"
+#include "shaders/shared/trace/frame.h"
+#include "shaders/shared/truth/truth.h"
 
 namespace gridscope {
 
@@ -78,7 +79,7 @@ class Pipeline {
 
   // Products from elsewhere, instead of a stage's. Sizes must be those of the frame.
   void useInstances(std::span<const Instance> instances);  // instead of update, for a grid that it can't follow: useGrid comes next
-  void useGrid(std::span<const uint32_t> texels);          // instead of build and update: the instances' present transforms are applied
+  void useGrid(std::span<const uint32_t> words);           // instead of build and update: the instances' present transforms are applied
   void useGather(std::span<const GatherPixel> pixels);
   void useRays(std::span<const Ray> rays);
   void useHits(std::span<const Hit> hits);

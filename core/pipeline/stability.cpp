@@ -51,9 +51,7 @@ void BuildComparison::add(Grid grid, std::span<const Hit> hits) {
 Stability BuildComparison::result() const {
   Stability result = found_;
   const GridParameters& grid = first_.parameters;
-  for (ivec3 cell(0); cell.z < grid.cellCount.z; ++cell.z)
-    for (cell.y = 0; cell.y < grid.cellCount.y; ++cell.y)
-      for (cell.x = 0; cell.x < grid.cellCount.x; ++cell.x) result.occupied += first_.at(gridTexel(grid, cell, 0)) != kBlank ? 1 : 0;
+  forCellsOfLayers(grid, 0, grid.cellCount.z, [&](ivec3 cell) { result.occupied += cellOccupied(first_, cell) ? 1 : 0; });
   result.setDiffers = uint64_t(std::ranges::count(result.cells, kUnstable));
   result.orderDiffers = uint64_t(std::ranges::count(result.cells, kStableSet));
   result.raysChange = uint64_t(std::ranges::count(result.rays, 1u));

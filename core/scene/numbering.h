@@ -6,14 +6,17 @@
 #include <span>
 #include <vector>
 
-#include "core/grid/settings.h"
 #include "core/scene/scene.h"
-#include "shaders/shared/pipeline/parameters.h"
+#include "shaders/shared/scene/scene.h"
 
 namespace gridscope {
 
 inline constexpr uint32_t kMostTrianglesPerInstance = 65536;
 inline constexpr uint32_t kMostInstances = 65535;  // one fewer than 16 bits hold: reference 0xFFFFFFFF is blank
+
+// Order of the references: the file's, or falling triangle area.
+enum class NumberBy { file, area };
+constexpr const char* numberingWord(NumberBy order) { return order == NumberBy::area ? "area" : "file"; }
 
 // Where an instance of the grid comes from.
 struct InstanceSource {

@@ -9,6 +9,8 @@
 #include <glm/glm.hpp>
 #include <glm/gtc/quaternion.hpp>
 
+#include "core/base/image.h"
+
 namespace gridscope {
 
 using glm::mat4;
@@ -19,14 +21,6 @@ using glm::vec4;
 
 // Coordinates beyond this (world space, either sign) are refused on load: products of them would leave the range of a float.
 inline constexpr float kCoordinateLimit = 1e6f;
-
-// Colour image: sRGB colour with straight alpha, 4 bytes a pixel, first row at v = 0.
-struct Image {
-  std::string name;
-  uint32_t width = 0;
-  uint32_t height = 0;
-  std::vector<uint8_t> rgba;
-};
 
 enum class WrapMode : uint32_t { repeat = 0, mirror = 1, clamp = 2 };
 enum class AlphaMode : uint32_t { opaque = 0, mask = 1, blend = 2 };  // blend is traced as mask with cutoff 0.5

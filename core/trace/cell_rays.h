@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/trace/trace.h"
-#include "shaders/shared/pipeline/findings.h"
+#include "shaders/shared/trace/ray.h"
 
 namespace gridscope {
 

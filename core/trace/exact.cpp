@@ -190,13 +190,13 @@ ExactReference::ExactReference(ExactReference&&) noexcept = default;
 
 Hit ExactReference::trace(const Ray& ray) const {
   ExactTrace& loads = parts_->loads;
-  if (ray.valid == 0u) return loads.missedHit(kHitNoRay);
-  Query query{.context = {}, .ray = &ray, .best = kFar, .reference = kBlank};
+  if (ray.valid == 0u) return missedHit(kHitNoRay);
+  Query query{.context = {}, .ray = &ray, .best = kFar, .reference = kNoReference};
   const RTCScene scene = parts_->sceneFor(ray);
   if (scene) Parts::cast(query, scene);
   for (uint32_t primitive = 0; !scene && primitive < parts_->references.size(); ++primitive) parts_->offer(query, primitive);
-  if (query.reference == kBlank) return loads.missedHit(kHitMiss);
-  return loads.finishHit(ray, loads.makeHit(kHitTriangle, query.best, query.reference));
+  if (query.reference == kNoReference) return missedHit(kHitMiss);
+  return loads.finishHit(ray, makeHit(kHitTriangle, query.best, query.reference));
 }
 
 std::vector<Hit> ExactReference::trace(std::span<const Ray> rays) const {

@@ -48,9 +48,9 @@ Invariant testHits(const NumberedScene& scene, const TraceParameters& trace, std
 
 Invariant testGridKept(const Grid& before, const Grid& after) {
   Invariant invariant{.key = "gridKept", .name = "the trace left the grid as it was"};
-  if (before.texels == after.texels) return invariant;
+  if (before.words == after.words) return invariant;
   invariant.count = 1;
-  invariant.fault = "a texel changed while rays were traced";
+  invariant.fault = "a word of it changed while rays were traced";
   return invariant;
 }
 

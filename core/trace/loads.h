@@ -3,12 +3,14 @@
 
 #include "core/grid/slots.h"
 #include "core/trace/trace.h"
+#include "shaders/shared/scene/triangle.h"
+#include "shaders/shared/trace/triangle_test.h"
 
 namespace gridscope {
 
-class TraceLoads : public SlotReader {
+class TraceLoads : public CellReader {
  public:
-  explicit TraceLoads(const TraceInput& input) : SlotReader(input.grid), input_(input) {}
+  explicit TraceLoads(const TraceInput& input) : CellReader(input.grid), input_(input) {}
 
   const Instance& loadInstance(uint instance) const { return input_.scene.instances[instance]; }
   const TraceMaterial& loadMaterial(uint material) const { return input_.scene.materials[material]; }

@@ -47,11 +47,11 @@ void traceRays(const TraceInput& input, std::span<const Ray> rays, std::span<Hit
 
 Hit traceBruteForce(const TraceInput& input, const Ray& ray) {
   FastTrace trace(input);
-  if (ray.valid == 0u) return trace.missedHit(kHitNoRay);
+  if (ray.valid == 0u) return missedHit(kHitNoRay);
 
   // References in rising order: of equal distances the first, the smaller one, stays.
   float best = kFar;
-  uint bestReference = kBlank;
+  uint bestReference = kNoReference;
   for (uint32_t i = 0; i < input.scene.instanceCount(); ++i) {
     const Instance& instance = input.scene.instances[i];
     for (uint32_t k = 0; k < instance.triangleCount; ++k) {
@@ -64,7 +64,7 @@ Hit traceBruteForce(const TraceInput& input, const Ray& ray) {
       bestReference = makeReference(i, k);
     }
   }
-  return bestReference == kBlank ? trace.missedHit(kHitMiss) : trace.finishHit(ray, trace.makeHit(kHitTriangle, best, bestReference));
+  return bestReference == kNoReference ? missedHit(kHitMiss) : trace.finishHit(ray, makeHit(kHitTriangle, best, bestReference));
 }
 
 }  // namespace gridscope

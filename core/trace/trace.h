@@ -8,7 +8,7 @@
 
 #include "core/grid/grid.h"
 #include "core/scene/numbering.h"
-#include "shaders/shared/scene/triangle.h"
+#include "shaders/shared/trace/ray.h"
 
 namespace gridscope {
 

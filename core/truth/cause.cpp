@@ -66,13 +66,13 @@ struct Reading {
 
   // A dynamic reference in a cell that does not want it: an update should have taken it out.
   bool isLeftBehind(ivec3 cell, uint32_t reference) const {
-    return reference >= firstDynamicReference(grid) && reference != kBlank && !input.demand.wants(cell, reference);
+    return reference >= firstDynamicReference(grid) && reference != kNoReference && !input.demand.wants(cell, reference);
   }
 
   // May a full cell have refused the surface? Sorted insertion keeps the smallest references of those that it wants.
   bool rightlyRefused(const StepRecord& step) const {
     if (step.stored < grid.capacity) return false;
-    if (grid.reserved != 2) return true;
+    if (!gridAbilities(grid).countsRefusals) return true;
     const std::span<const uint32_t> wanted = input.demand.wanted(step.cell);
     if (grid.insertion != kInsertionSorted) return int64_t(wanted.size()) > grid.capacity;
     return std::lower_bound(wanted.begin(), wanted.end(), exact.reference) - wanted.begin() >= grid.capacity;
@@ -93,7 +93,7 @@ struct Reading {
     const bool missed = step.stored < grid.capacity && reference >= firstDynamicReference(grid);
     if (intruder || missed) return at(kCauseStale, step, reference);
     // With room, and without this tool's counts: another builder's overlap test may have turned it down.
-    return at(grid.reserved == 2 ? kCauseNotInserted : kCauseLeftOut, step, reference);
+    return at(gridAbilities(grid).countsRefusals ? kCauseNotInserted : kCauseLeftOut, step, reference);
   }
 
   // The cell was asked, and the hit lay outside the window.

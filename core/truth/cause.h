@@ -9,10 +9,10 @@ namespace gridscope {
 // An event that makes a ray differ. Also what an edited trace can do without (edits.h).
 struct TruthEvent {
   uint32_t cause = kCauseNumeric;
-  ivec3 cell{-1};               // where it took place; (-1, -1, -1): nowhere in the grid
-  uint32_t reference = kBlank;  // that it is about
-  int32_t segment = -1;         // at which it took place (StepRecord::segment)
-  float along = 0.0f;           // where it took place along the ray, world units: the start of that step. A finding, no part of what it is
+  ivec3 cell{-1};                     // where it took place; (-1, -1, -1): nowhere in the grid
+  uint32_t reference = kNoReference;  // that it is about
+  int32_t segment = -1;               // at which it took place (StepRecord::segment)
+  float along = 0.0f;  // where it took place along the ray, world units: the start of that step. A finding, no part of what it is
   bool operator==(const TruthEvent& other) const {
     return cause == other.cause && cell == other.cell && reference == other.reference && segment == other.segment;
   }

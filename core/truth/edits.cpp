@@ -101,20 +101,6 @@ float otherTMin(const TraceInput& input, const Ray& ray, const Edits& edits) {
   return tMin;
 }
 
-#define SLOT_COUNT(cell) slotCount(grid, cell)
-#define SLOT_LOAD(cell, slot) shownReference(cell, slot)
-#define SLOTS_STORED(cell, count) storedCount(cell, count)
-#define QUERY_WINDOW(cell, window) queryWindow(ray, cell, window)
-#define ALPHA_PASSES(reference, passes) (contains(edits_.inverted, reference) != (passes))
-#define EDIT_CELL_HIT(state, best) \
-  if (contains(edits_.unaccepted, state.cell)) best.t = state.t, best.reference = state.reference;
-#define GATE_OPEN(cell, open) gateOpen(cell, open)
-#define REVISIT_SKIPS(segment, skips) ((skips) && !contains(edits_.unskipped, segment))
-#define INSERT_SEGMENT(segment, state, found)       \
-  if (insertSegment(segment, state, found.start)) { \
-    found.kind = kHitTriangle;                      \
-    return found;                                   \
-  }
 class EditedTrace : public TraceLoads {
  public:
   EditedTrace(const TraceInput& input, const Ray& ray, const Edits& edits)
@@ -139,6 +125,7 @@ class EditedTrace : public TraceLoads {
     return best;
   }
 
+#define OWN_TRACE_RULES
 #include "core/trace/record_hooks.h"
 #include "shaders/shared/trace/traverse.h"
 
@@ -155,43 +142,51 @@ class EditedTrace : public TraceLoads {
     return nullptr;
   }
 
-  // One more than the references: the blank behind them ends the loop.
-  int slotCount(const GridParameters& grid, ivec3 cell) const {
-    const ShownCell* shown = shownCell(cell);
-    return shown ? int(shown->references.size()) + 1 : grid.capacity;
+  // --- The rules of trace_rules.h
+
+  // One more than the references: their end is read too.
+  CellList shownList(const GridParameters& grid, ivec3 cell) const {
+    CellList list = cellList(grid, cell);
+    if (const ShownCell* shown = shownCell(cell)) list.most = int(shown->references.size()) + 1;
+    return list;
   }
 
-  uint shownReference(ivec3 cell, int slot) const {
-    const ShownCell* shown = shownCell(cell);
-    if (!shown) return slotLoad(gridTexel(grid_, cell, slot));
-    return size_t(slot) < shown->references.size() ? shown->references[size_t(slot)] : kBlank;
+  uint shownReference(const GridParameters& grid, const CellList& list, int place) {
+    const ShownCell* shown = shownCell(list.cell);
+    if (!shown) return listReference(grid, list, place);
+    return size_t(place) < shown->references.size() ? shown->references[size_t(place)] : kNoReference;
   }
 
-  int storedCount(ivec3 cell, int count) const {
+  int heldCount(ivec3 cell, int shownCount) const {
     const ShownCell* shown = shownCell(cell);
-    return shown ? shown->stored : count;
+    return shown ? shown->stored : shownCount;
   }
 
-  vec2 queryWindow(const Ray& ray, ivec3 cell, vec2 window) const {
+  vec2 queryWindow(const GridParameters& grid, const Ray& ray, ivec3 cell, vec2 window) const {
     if (!contains(edits_.widened, cell)) return window;
-    const vec2 stay = cellStay(grid_, ray, cell);
-    const float margin = kAgreement * grid_.cellEdge;  // a surface on the cell's face may be met a hair beyond it
+    const vec2 stay = cellStay(grid, ray, cell);
+    const float margin = kAgreement * grid.cellEdge;  // a surface on the cell's face may be met a hair beyond it
     return vec2(std::min(window.x, std::max(stay.x - margin, 0.0f)), std::max(window.y, stay.y + margin));
   }
+
+  bool keyingPasses(uint reference, bool passes) const { return contains(edits_.inverted, reference) != passes; }
+  bool hitCounts(ivec3 cell) const { return !contains(edits_.unaccepted, cell); }
 
   bool gateOpen(ivec3 cell, bool open) const {
     if (contains(edits_.unfilled, cell) || contains(edits_.unaccepted, cell)) return false;
     return open || contains(edits_.opened, cell);
   }
 
+  bool revisitSkips(int segment, bool visitedLast) const { return visitedLast && !contains(edits_.unskipped, segment); }
+
   // Is one more segment due before the next one? It leaves no trace in the state: the cell visited last comes back with the next segment.
-  bool insertSegment(int segment, TraceState& state, float& start) {
+  bool segmentInserted(const GridParameters& grid, int segment, TraceState& state, float& start) {
     if (resumes_) state.cell = resumeCell_;
     resumes_ = false;
     for (Insert& insert : inserts_) {
-      if (insert.done || insert.start > float(segment) * grid_.cellEdge) continue;
+      if (insert.done || insert.start > float(segment) * grid.cellEdge) continue;
       insert.done = true;
-      if (shownReference(insert.cell, 0) == kBlank) {
+      if (shownReference(grid, shownList(grid, insert.cell), 0) == kNoReference) {
         record.steps.push_back({segment, insert.start, insert.cell, kStepEmpty, {}});
         continue;
       }

@@ -9,7 +9,7 @@ namespace gridscope {
 namespace {
 
 // The triangle that a ray's fault is charged to: the one that it should have hit; where there is none, the one that the event is about.
-uint32_t chargedReference(const RayTruth& truth) { return truth.exactReference != kBlank ? truth.exactReference : truth.reference; }
+uint32_t chargedReference(const RayTruth& truth) { return truth.exactReference != kNoReference ? truth.exactReference : truth.reference; }
 
 // Was the ray's surface lost for want of a slot?
 bool byLostReference(const RayTruth& truth) { return truth.cause == kCauseRefused || truth.cause == kCauseGate; }
@@ -66,14 +66,14 @@ struct Losses {
     std::map<size_t, uint32_t> raysOfCell;
     for (const RayTruth& truth : truths) {
       if (!differs(truth)) continue;
-      if (gridContains(grid, truth.cell)) ++raysOfCell[cellIndex(grid, truth.cell)];
+      if (gridContains(grid, truth.cell)) ++raysOfCell[idOfCell(grid, truth.cell)];
       if (TriangleLoss* loss = find(chargedReference(truth))) {
         loss->rays += 1;
         loss->lostRays += byLostReference(truth) ? 1 : 0;
       }
     }
     for (CellLoss& loss : cells) {
-      const auto found = raysOfCell.find(cellIndex(grid, loss.cell));
+      const auto found = raysOfCell.find(idOfCell(grid, loss.cell));
       if (found != raysOfCell.end()) loss.rays = found->second;
     }
   }
@@ -114,7 +114,7 @@ std::map<std::pair<uint32_t, size_t>, uint32_t> lostRaysByCell(const Losses& los
   for (const RayTruth& truth : truths) {
     const uint32_t instance = referenceInstance(chargedReference(truth));
     if (!byLostReference(truth) || instance >= trace.scene.instanceCount() || !gridContains(trace.grid.parameters, truth.cell)) continue;
-    ++rays[{numberOf(trace.scene.sources[instance]), cellIndex(trace.grid.parameters, truth.cell)}];
+    ++rays[{numberOf(trace.scene.sources[instance]), idOfCell(trace.grid.parameters, truth.cell)}];
   }
   return rays;
 }
@@ -131,7 +131,7 @@ void placeLosses(const Losses& losses, std::span<const RayTruth> truths, GroupNu
     for (uint32_t reference : refusedBy(trace.grid, losses.input.demand, cell.cell))
       ++here[numberOf(trace.scene.sources[referenceInstance(reference)])].lost;
     for (auto& [number, lost] : here) {
-      const auto cost = rays.find({number, cellIndex(trace.grid.parameters, cell.cell)});
+      const auto cost = rays.find({number, idOfCell(trace.grid.parameters, cell.cell)});
       lost.cell = cell.cell;
       lost.rays = cost == rays.end() ? 0 : cost->second;
       std::vector<GroupCell>& where = std::ranges::lower_bound(groups, number, {}, &GroupLoss::index)->where;

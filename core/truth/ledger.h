@@ -19,7 +19,7 @@ struct CellLoss {
 };
 
 struct TriangleLoss {
-  uint32_t reference = kBlank;
+  uint32_t reference = kNoReference;
   uint32_t stored = 0;    // cells that hold it
   uint32_t lost = 0;      // cells that refused it
   uint32_t rays = 0;      // rays that should have hit it and do not agree, whatever the cause

@@ -17,7 +17,7 @@ struct SpanTrace : TraceLoads {
 };
 
 TruthReason refusedReason(const GridParameters& grid) {
-  if (grid.reserved != 2) return {"full", "The cell is full; this grid does not count what its cells refused."};
+  if (!gridAbilities(grid).countsRefusals) return {"full", "The cell is full; this grid does not count what its cells refused."};
   if (grid.insertion == kInsertionSorted)
     return {"largerReference", "Sorted insertion keeps the smallest references: the slots hold smaller ones."};
   return {"cameLater", "The first to come keep the slots: they were taken when it came."};

@@ -112,9 +112,9 @@ RayTruth explainRay(const TruthInput& input, const Ray& ray, const Hit& traced, 
   const GridParameters& grid = input.trace.grid.parameters;
   RayTruth truth{};
   truth.verdict = judge(traced, exact, grid);
-  truth.exactReference = exact.kind == kHitTriangle ? exact.reference : kBlank;
+  truth.exactReference = exact.kind == kHitTriangle ? exact.reference : kNoReference;
   truth.exactT = exact.kind == kHitTriangle ? exact.t : 0.0f;
-  truth.reference = kBlank;
+  truth.reference = kNoReference;
   truth.cell = ivec3(-1);
   truth.segment = -1;
   if (truth.verdict == kVerdictNoRay) return truth;
@@ -144,7 +144,7 @@ TruthTotals countTruths(std::span<const RayTruth> truths) {
     ++totals.rays;
     if (truth.verdict != kVerdictAgrees)
       ++totals.causes[truth.cause];
-    else if (truth.exactReference != kBlank)
+    else if (truth.exactReference != kNoReference)
       ++totals.agreeHit;
     else
       ++totals.agreeMiss;

@@ -7,6 +7,7 @@
 
 #include "core/base/error.h"
 #include "core/grid/derive.h"
+#include "core/trace/derive.h"
 
 namespace gridscope {
 namespace {
@@ -14,14 +15,6 @@ namespace {
 template <class Value>
 std::vector<Value> orOwn(const std::vector<Value>& axis, Value own) {
   return axis.empty() ? std::vector<Value>{own} : axis;
-}
-
-// As a build here lays it out.
-GridParameters builtHere(GridParameters grid) {
-  grid.reserved = 2;
-  grid.stride = grid.capacity + grid.reserved;
-  grid.cellsPerInvocation = cellsPerInvocation(grid.capacity);
-  return grid;
 }
 
 bool sameShape(const GridParameters& a, const GridParameters& b) {
@@ -47,7 +40,7 @@ GridSettings settingsOf(const GridParameters& grid, GridSettings settings) {
   settings.overlap = grid.overlap;
   settings.insertion = grid.insertion;
   settings.enlargement = inEdges(2.0f * grid.boxHalfEdge, grid.cellEdge);
-  settings.stretch = Stretch(grid.stretchAxis);
+  settings.stretch = stretchOf(grid);
   return settings;
 }
 
@@ -74,7 +67,7 @@ bool triesSame(const TraceSettings& a, const TraceSettings& b) {
 
 TuneOwn ownSettings(const FrameSettings& settings, const FrameParameters& parameters, const NumberedScene& scene, const Bounds& bounds) {
   TuneOwn own{
-      .grid = settings.grid, .trace = settings.trace, .gridParameters = builtHere(parameters.grid), .traceParameters = parameters.trace};
+      .grid = settings.grid, .trace = settings.trace, .gridParameters = laidOutHere(parameters.grid), .traceParameters = parameters.trace};
   if (!makes(settings.grid, bounds, scene, own.gridParameters)) own.grid = settingsOf(parameters.grid, settings.grid);
   const TraceParameters derived = deriveTrace(settings.trace, parameters.grid);
   if (std::memcmp(&derived, &parameters.trace, sizeof derived) != 0)

@@ -11,7 +11,7 @@ namespace gridscope {
 struct TuneOwn {
   GridSettings grid;
   TraceSettings trace;
-  GridParameters gridParameters{};  // of a build here: with two reserved texels
+  GridParameters gridParameters{};  // of a build here: it counts refusals
   TraceParameters traceParameters{};
 };
 

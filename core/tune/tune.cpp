@@ -11,6 +11,9 @@
 
 #include "core/base/error.h"
 #include "core/grid/build.h"
+#include "core/grid/derive.h"
+#include "core/trace/derive.h"
+#include "core/trace/statistics.h"
 #include "core/tune/attempt.h"
 #include "core/tune/choice.h"
 #include "core/tune/settings.h"

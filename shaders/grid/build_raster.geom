@@ -6,7 +6,8 @@
 
 #define OPERATION 0
 #define WRITES_WORLD_TRIANGLES
-#include "shaders/pipeline/bindings.glsl"
+#include "shaders/gpu/bindings.glsl"
+#include "shaders/grid/grid.glsl"
 #include "shaders/grid/insertion.glsl"
 #include "shaders/grid/big_triangles.glsl"
 

@@ -3,7 +3,8 @@
 #extension GL_EXT_scalar_block_layout : require
 #extension GL_GOOGLE_include_directive : require
 
-#include "shaders/pipeline/bindings.glsl"
+#include "shaders/gpu/bindings.glsl"
+#include "shaders/grid/grid.glsl"
 
 layout(location = 0) out vec3 outWorld;
 layout(location = 1) flat out uint outInstance;

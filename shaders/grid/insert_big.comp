@@ -3,7 +3,8 @@
 #extension GL_EXT_scalar_block_layout : require
 #extension GL_GOOGLE_include_directive : require
 
-#include "shaders/pipeline/bindings.glsl"
+#include "shaders/gpu/bindings.glsl"
+#include "shaders/grid/grid.glsl"
 #include "shaders/scene/instances.glsl"
 #include "shaders/grid/insertion.glsl"
 #include "shaders/grid/group_report.glsl"

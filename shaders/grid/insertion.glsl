@@ -3,6 +3,8 @@
 #define OPERATION_MARK 1     // mark the cells that take the triangle (update `moved`)
 #define OPERATION_RESTORE 2  // insert, but only into cells marked to be rebuilt (update `moved`)
 
+#include "shaders/shared/grid/overlap.h"
+
 layout(scalar, set = 0, binding = kBindBuildReport) buffer BuildReportBuffer { BuildReport buildReport; };
 #if OPERATION != OPERATION_INSERT
 layout(scalar, set = 0, binding = kBindCellMarks) buffer CellMarksBuffer { uint cellMarks[]; };
@@ -12,13 +14,8 @@ uint slotMin(ivec3 texel, uint value) { return imageAtomicMin(gridImage, texel, 
 uint slotSwap(ivec3 texel, uint expect, uint value) { return imageAtomicCompSwap(gridImage, texel, expect, value); }
 void slotCount(ivec3 texel) { imageAtomicAdd(gridImage, texel, 1u); }
 
-uint cellIndex(ivec3 cell) {
-  ivec3 count = gridParameters().cellCount;
-  return uint((cell.z * count.y + cell.y) * count.x + cell.x);
-}
-
 #if OPERATION == OPERATION_RESTORE
-#define INSERT_INTO(cell) (cellMarks[cellIndex(cell)] & kCellRebuilt) != 0u
+#define INSERT_INTO(cell) (cellMarks[cellNumber(gridParameters(), cell)] & kCellRebuilt) != 0u
 #endif
 #include "shaders/shared/grid/insert.h"
 
@@ -31,7 +28,7 @@ void walkCells(Triangle triangle, uint reference, CellRange range, uvec2 part, i
   for (uint index = part.x; index < part.y; ++index) {
     ivec3 cell = cellRangeCell(range, index);
     report.cellsWalked += 1u;
-    if (cellTakesTriangle(gridParameters(), triangle, normal, cell)) atomicOr(cellMarks[cellIndex(cell)], kCellTouched);
+    if (cellTakesTriangle(gridParameters(), triangle, normal, cell)) atomicOr(cellMarks[cellNumber(gridParameters(), cell)], kCellTouched);
   }
 #else
   insertTriangle(gridParameters(), triangle, reference, range, part, report);

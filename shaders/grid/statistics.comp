@@ -3,7 +3,8 @@
 #extension GL_EXT_scalar_block_layout : require
 #extension GL_GOOGLE_include_directive : require
 
-#include "shaders/pipeline/bindings.glsl"
+#include "shaders/gpu/bindings.glsl"
+#include "shaders/grid/grid.glsl"
 layout(scalar, set = 0, binding = kBindStatistics) buffer StatisticsBuffer { GridStatistics statistics; };
 layout(scalar, set = 0, binding = kBindHistogram) buffer HistogramBuffer { uint histogram[]; };
 
@@ -16,9 +17,10 @@ void main() {
   uint firstDynamic = firstDynamicReference(grid);
   uint fixedCount = 0u;
   uint dynamicCount = 0u;
-  for (int slot = 0; slot < grid.capacity; ++slot) {
-    uint reference = slotLoad(gridTexel(grid, cell, slot));
-    if (reference == kBlank) break;
+  CellList list = cellList(grid, cell);
+  for (int place = 0; place < list.most; ++place) {
+    uint reference = listReference(grid, list, place);
+    if (reference == kNoReference) break;
     if (reference < firstDynamic) ++fixedCount;
     else ++dynamicCount;
   }
@@ -27,9 +29,7 @@ void main() {
 
   uint fixedRefused = grid.reserved == 2 ? slotLoad(gridRefusedTexel(grid, cell, false)) : 0u;
   uint dynamicRefused = grid.reserved == 2 ? slotLoad(gridRefusedTexel(grid, cell, true)) : 0u;
-  bool saturated = fixedRefused + dynamicRefused > 0u;
-  if (grid.reserved == 0) saturated = occupancy == uint(grid.capacity);
-  if (grid.reserved == 1) saturated = slotLoad(gridTexel(grid, cell, grid.capacity)) != 0u;
+  bool saturated = cellRefused(grid, cell, int(occupancy)) != 0u;
 
   atomicAdd(histogram[occupancy], 1u);
   atomicAdd(statistics.occupied, 1u);

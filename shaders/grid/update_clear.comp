@@ -3,7 +3,8 @@
 #extension GL_EXT_scalar_block_layout : require
 #extension GL_GOOGLE_include_directive : require
 
-#include "shaders/pipeline/bindings.glsl"
+#include "shaders/gpu/bindings.glsl"
+#include "shaders/grid/grid.glsl"
 
 layout(local_size_x = 4, local_size_y = 4, local_size_z = 4) in;
 

@@ -4,7 +4,8 @@
 #extension GL_EXT_scalar_block_layout : require
 #extension GL_GOOGLE_include_directive : require
 
-#include "shaders/pipeline/bindings.glsl"
+#include "shaders/gpu/bindings.glsl"
+#include "shaders/grid/grid.glsl"
 #include "shaders/scene/moved.glsl"
 layout(scalar, set = 0, binding = kBindCellMarks) buffer CellMarksBuffer { uint cellMarks[]; };
 layout(scalar, set = 0, binding = kBindUpdateCounts) buffer UpdateCountsBuffer { uint cellsTouched; uint cellsRebuilt; };
@@ -15,7 +16,7 @@ void main() {
   ivec3 cell = ivec3(gl_GlobalInvocationID);
   GridParameters grid = gridParameters();
   if (!gridContains(grid, cell)) return;
-  uint index = uint((cell.z * grid.cellCount.y + cell.y) * grid.cellCount.x + cell.x);
+  uint index = cellNumber(grid, cell);
   if (cellMarks[index] == 0u) return;
   atomicAdd(cellsTouched, 1u);
 

@@ -4,7 +4,7 @@
 #extension GL_EXT_scalar_block_layout : require
 #extension GL_GOOGLE_include_directive : require
 
-#include "shaders/pipeline/bindings.glsl"
+#include "shaders/gpu/bindings.glsl"
 #include "shaders/scene/surface.glsl"
 layout(scalar, set = 0, binding = kBindGather) readonly buffer GatherBuffer { GatherPixel gatherPixels[]; };
 layout(scalar, set = 0, binding = kBindRays) writeonly buffer RaysBuffer { Ray rays[]; };
@@ -37,7 +37,7 @@ void main() {
   uint index = place.y * parameters.camera.width + place.x;
   Ray ray = Ray(vec3(0.0), vec3(0.0), vec3(0.0), 0u);
   GatherPixel pixel = gatherPixels[index];
-  if (pixel.reference != kBlank) {
+  if (pixel.reference != kNoReference) {
     uint first = hash(index ^ hash(parameters.bounce.frame ^ hash(parameters.bounce.seed)));
     float roughness = min(materials[pixel.material].roughness, parameters.bounce.roughness);
     vec3 facing = lobeNormal(pixel.shadingNormal, roughness, vec2(unitFloat(first), unitFloat(hash(first))));

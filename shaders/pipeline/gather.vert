@@ -3,7 +3,7 @@
 #extension GL_EXT_scalar_block_layout : require
 #extension GL_GOOGLE_include_directive : require
 
-#include "shaders/pipeline/bindings.glsl"
+#include "shaders/gpu/bindings.glsl"
 #include "shaders/shared/trace/alpha.h"
 
 layout(location = 0) flat out uint outReference;

@@ -3,7 +3,7 @@
 #extension GL_EXT_scalar_block_layout : require
 #extension GL_GOOGLE_include_directive : require
 
-#include "shaders/pipeline/bindings.glsl"
+#include "shaders/gpu/bindings.glsl"
 #include "shaders/shared/trace/alpha.h"
 #include "shaders/scene/surface.glsl"
 layout(scalar, set = 0, binding = kBindGather) writeonly buffer GatherBuffer { GatherPixel gatherPixels[]; };
@@ -21,8 +21,8 @@ void main() {
   uvec2 pixel = gl_GlobalInvocationID.xy;
   if (pixel.x >= camera.width || pixel.y >= camera.height) return;
   uint reference = imageLoad(visibilityImage, ivec2(pixel)).x;
-  GatherPixel result = GatherPixel(vec3(0.0), vec3(0.0), vec3(0.0), vec2(0.0), 0.0, kBlank, 0u);
-  if (reference != kBlank) {
+  GatherPixel result = GatherPixel(vec3(0.0), vec3(0.0), vec3(0.0), vec2(0.0), 0.0, kNoReference, 0u);
+  if (reference != kNoReference) {
     Instance instance = instances[referenceInstance(reference)];
     Triangle triangle = worldTriangles[instance.firstWorldTriangle + referenceTriangle(reference)];
 

@@ -4,7 +4,7 @@
 #extension GL_GOOGLE_include_directive : require
 
 #define WRITES_WORLD_TRIANGLES
-#include "shaders/pipeline/bindings.glsl"
+#include "shaders/gpu/bindings.glsl"
 #include "shaders/scene/instances.glsl"
 
 layout(local_size_x = 64) in;

@@ -3,7 +3,9 @@
 #extension GL_EXT_scalar_block_layout : require
 #extension GL_GOOGLE_include_directive : require
 
-#include "shaders/pipeline/bindings.glsl"
+#include "shaders/gpu/bindings.glsl"
+#include "shaders/grid/grid.glsl"
+#include "shaders/shared/trace/triangle_test.h"
 layout(scalar, set = 0, binding = kBindRays) readonly buffer RaysBuffer { Ray rays[]; };
 layout(scalar, set = 0, binding = kBindHits) buffer HitsBuffer { Hit hits[]; };
 layout(scalar, set = 0, binding = kBindTraceStates) buffer TraceStatesBuffer { TraceState traceStates[]; };

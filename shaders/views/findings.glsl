@@ -1,6 +1,6 @@
 // What was found out about the frame, for views. What was not given reads as nothing found: its binding is too short.
-#include "shaders/shared/pipeline/findings.h"
-#include "shaders/shared/truth/truth_colours.h"
+#include "shaders/shared/grid/findings.h"
+#include "shaders/shared/views/truth_colours.h"
 
 layout(scalar, set = 0, binding = kBindTruths) readonly buffer TruthsBuffer { RayTruth truths[]; };
 layout(scalar, set = 0, binding = kBindTriangleCosts) readonly buffer TriangleCostsBuffer { uint triangleCosts[]; };
@@ -15,10 +15,10 @@ RayTruth truthOf(uint pixel) {
   none.verdict = kVerdictNoRay;
   none.cause = kCauseNone;
   none.exactT = 0.0;
-  none.exactReference = kBlank;
+  none.exactReference = kNoReference;
   none.error = 0.0;
   none.cell = ivec3(-1);
-  none.reference = kBlank;
+  none.reference = kNoReference;
   none.segment = -1;
   return none;
 }
@@ -45,7 +45,7 @@ bool rayChanges(uint pixel) { return pixel < uint(stableRays.length()) && stable
 CellUpdate updateOf(ivec3 cell) {
   uint number = cellNumber(gridParameters(), cell);
   if (number < uint(cellUpdates.length())) return cellUpdates[number];
-  return CellUpdate(0u, 0u, 0u, kBlank);
+  return CellUpdate(0u, 0u, 0u, kNoReference);
 }
 
 // A cell that an update touched, in its instance's colour: filled as it is, only cleared hatched, what it held before dim.

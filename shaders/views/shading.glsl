@@ -189,7 +189,7 @@ float openness(uint pixel, GatherPixel seen) {
     ivec2 place = centre + ivec2(round(pixelRadius * sqrt(share) * vec2(cos(angle), sin(angle))));
     if (any(lessThan(place, ivec2(0))) || any(greaterThanEqual(place, size))) continue;
     uint other = uint(place.y * size.x + place.x);
-    if (gatherPixels[other].reference == kBlank) continue;
+    if (gatherPixels[other].reference == kNoReference) continue;
 
     vec3 offset = gatherPixels[other].position - seen.position;
     float squared = dot(offset, offset);
@@ -220,7 +220,7 @@ vec3 backgroundLight(uint pixel) {
 // The picture: light at the surface seen, and what its glossy bounce mirrors.
 vec3 finalLight(uint pixel) {
   GatherPixel seen = gatherPixels[pixel];
-  if (seen.reference == kBlank) return backgroundLight(pixel);
+  if (seen.reference == kNoReference) return backgroundLight(pixel);
   Surface surface = gatheredSurface(seen);
   if (surface.unlit) return surface.albedo;
   float open = openness(pixel, seen);

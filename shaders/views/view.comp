@@ -3,9 +3,11 @@
 #extension GL_EXT_scalar_block_layout : require
 #extension GL_GOOGLE_include_directive : require
 
-#include "shaders/pipeline/bindings.glsl"
+#include "shaders/gpu/bindings.glsl"
+#include "shaders/grid/grid.glsl"
 #include "shaders/pipeline/products.glsl"
-#include "shaders/shared/views/view_element.h"
+#include "shaders/shared/grid/slice.h"
+#include "shaders/shared/views/element_colour.h"
 #include "shaders/views/findings.glsl"
 
 layout(scalar, set = 0, binding = kBindViewElements) writeonly buffer ViewElementsBuffer { ViewElement viewElements[]; };

@@ -1,5 +1,6 @@
 // Statistics of rays, counters, triangles and times.
-#include "core/base/statistics.h"
+#include "core/grid/statistics.h"
+#include "core/trace/statistics.h"
 
 #include <gtest/gtest.h>
 

@@ -11,6 +11,7 @@
 
 #include "core/capture/zip.h"
 #include "tests/capture/small_capture.h"
+#include "tests/grid_words.h"
 
 namespace gridscope {
 namespace {
@@ -322,9 +323,9 @@ TEST(CaptureFile, TheExamplesOfTheFormatRun) {
   ASSERT_EQ(std::system(("cd " + folder.string() + " && " + python() + " example1.py").c_str()), 0);
   const Capture changed = readCapture(folder / "new.gridcap");
   Grid before = frameGrid(capture, 0);
-  ASSERT_NE(before.at(ivec3(3, 1, 1)), makeReference(1, 0));
-  before.at(ivec3(3, 1, 1)) = makeReference(1, 0);
-  EXPECT_TRUE(sameBits(changed.frames[0].grid, before.texels));
+  ASSERT_NE(before.words[wordOf(before.parameters, ivec3(3, 1, 1))], makeReference(1, 0));
+  before.words[wordOf(before.parameters, ivec3(3, 1, 1))] = makeReference(1, 0);
+  EXPECT_TRUE(sameBits(changed.frames[0].grid, before.words));
   fs::remove_all(folder);
 }
 

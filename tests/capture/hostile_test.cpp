@@ -198,7 +198,7 @@ TEST(CaptureHostile, ArraysMustAgreeWithTheManifest) {
 }
 
 TEST(CaptureHostile, WhatLeadsNowhereIsRefused) {
-  expectRefused("grid.npy: cell (0, 0, 0) slot 0 names instance 7, triangle 3",
+  expectRefused("grid.npy: cell (0, 0, 0), slot 0 names instance 7, triangle 3",
                 [](Parts& p) { p.values<uint32_t>("grid.npy")[0] = makeReference(7, 3); });
   expectRefused("hits_reference.npy: pixel (0, 0) hits nothing", [](Parts& p) { p.values<uint32_t>("hits_reference.npy")[0] = 0; });
   expectRefused("hits_kind.npy: pixel (1, 0) has kind 9", [](Parts& p) { p.values<uint8_t>("hits_kind.npy")[1] = 9; });

@@ -23,14 +23,14 @@ inline void captureProducts(const Capture& capture, BuiltScene& built, CaptureFr
   const size_t pixels = size_t(capture.settings.width) * capture.settings.height;
   for (size_t i = 0; i < pixels; ++i) {
     frame.gather.push_back(
-        {vec3(float(i), 0, 0), vec3(0, 0, 1), vec3(0, 0, 1), vec2(0.25f), 1.5f, i == 0 ? kBlank : makeReference(0, 1), 0});
+        {vec3(float(i), 0, 0), vec3(0, 0, 1), vec3(0, 0, 1), vec2(0.25f), 1.5f, i == 0 ? kNoReference : makeReference(0, 1), 0});
     frame.rays.push_back(makeRay(vec3(0.3f * float(i), 0.4f, 1.9f), vec3(0.01f, 0.02f, -1.0f), vec3(0, 0, 1)));
   }
   frame.rays[0].valid = 0;
   frame.hits.resize(pixels);
   frame.counters.resize(pixels);
   traceRays({built.grid, built.numbered, built.worldTriangles, capture.trace}, frame.rays, frame.hits, frame.counters);
-  frame.grid = built.grid.texels;
+  frame.grid = built.grid.words;
   frame.exact = traceExactHits({built.grid, built.numbered, built.worldTriangles, capture.trace}, frame.rays);
 }
 

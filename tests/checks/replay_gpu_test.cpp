@@ -8,6 +8,7 @@
 #include "core/pipeline/frame_capture.h"
 #include "core/scene/built_in_scenes.h"
 #include "core/scene/teapot.h"
+#include "shaders/shared/grid/layout.h"
 #include "tests/gpu_fixture.h"
 
 namespace gridscope {
@@ -114,7 +115,7 @@ TEST_F(GpuTest, ExactHitsAreFoundAgainFromEveryStageAndAChangedOneIsNamed) {
   recording.settings.grid.capacity = 3;
   Capture capture = record(gpu(), recording);
   ASSERT_EQ(capture.frames[1].exact.size(), 48u * 27u);
-  EXPECT_GT(std::ranges::count_if(capture.frames[1].exact, [](const ExactHit& hit) { return hit.reference != kBlank; }), 100);
+  EXPECT_GT(std::ranges::count_if(capture.frames[1].exact, [](const ExactHit& hit) { return hit.reference != kNoReference; }), 100);
   expectEqualEverywhere(gpu(), readCaptureMemory(formatCapture(capture), "exact"));
   capture.frames[1].exact[50] = {1.5f, 0u};
   const ReplayResult result = replay(capture, {}, nullptr);
@@ -131,7 +132,7 @@ size_t changeableTexel(const Capture& capture) {
     const int along = capture.grid.stretchAxis == 0   ? int(i % count.x)
                       : capture.grid.stretchAxis == 1 ? int(i / count.x % count.y)
                                                       : int(i / (size_t(count.x) * count.y));
-    if (along % capture.grid.stride >= capture.grid.capacity || texels[i] == kBlank) continue;
+    if (along % capture.grid.stride >= capture.grid.capacity || texels[i] == kNoReference) continue;
     if (referenceTriangle(texels[i]) + 1 < capture.scene.instances[referenceInstance(texels[i])].triangleCount) return i;
   }
   ADD_FAILURE() << "no such reference";
@@ -144,7 +145,7 @@ TEST_F(GpuTest, AChangedReferenceIsNamedWithCellSlotAndBothTriangles) {
   const uint32_t before = capture.frames.back().grid[texel];
   ++capture.frames.back().grid[texel];
   const Comparison how{"captured", "replayed", capture.scene, &capture.names};
-  const std::string expected = "frame 1, " + texelText(capture.grid, texel) + ": captured " + referenceText(how, before + 1) +
+  const std::string expected = "frame 1, " + wordText(capture.grid, texel) + ": captured " + referenceText(how, before + 1) +
                                ", replayed " + referenceText(how, before);
   for (GpuContext* device : {&gpu(), static_cast<GpuContext*>(nullptr)}) {
     const ReplayResult result = replay(capture, {}, device);
@@ -202,7 +203,7 @@ TEST_F(GpuTest, ADiffSaysInWhichWayCellsAndHitsDiffer) {
   ++b.frames[0].grid[changeableTexel(a)];
   for (Hit& hit : b.frames[0].hits)
     if (hit.kind == kHitTriangle) {
-      hit = {.kind = kHitMiss, .t = 0.0f, .reference = kBlank, .u = 0.0f, .v = 0.0f};
+      hit = {.kind = kHitMiss, .t = 0.0f, .reference = kNoReference, .u = 0.0f, .v = 0.0f};
       break;
     }
   b.settings.trace.ahead = 0.5f;

@@ -29,7 +29,7 @@ class CaptureProgram : public ProgramTest {
     const Comparison how{"captured", "replayed", capture.scene, &capture.names};
     const std::string before = referenceText(how, texels[texel]);
     texels[texel] ^= 1;
-    if (place) *place = texelText(capture.grid, texel) + ": captured " + referenceText(how, texels[texel]) + ", replayed " + before;
+    if (place) *place = wordText(capture.grid, texel) + ": captured " + referenceText(how, texels[texel]) + ", replayed " + before;
     writeCapture(folder_ / name, capture);
     return name;
   }
@@ -155,7 +155,7 @@ TEST_F(CaptureProgram, TakesAForeignGridFromPython) {
     writeCapture(folder_ / "changed.gridcap", capture);
     const Ended diff = run({"diff", "foreign.gridcap", "changed.gridcap"});
     EXPECT_EQ(diff.exitCode, 1);
-    EXPECT_NE(diff.out.find(texelText(capture.grid, texel) + ": A 0x00000003"), std::string::npos) << diff.out;
+    EXPECT_NE(diff.out.find(wordText(capture.grid, texel) + ": A 0x00000003"), std::string::npos) << diff.out;
   }
 }
 

@@ -95,7 +95,11 @@ TEST_F(Explain, HitsOfACaptureThatAreAHairOffHaveTheirOwnCauses) {
 }
 
 TEST_F(Explain, HitsOfACaptureThatNoRuleMakesAreCountedAndNotConfirmed) {
-  const Json json = explain({changedCapture("stepped-corner", [](Hit& hit) { hit = {kHitNoRay, 0.0f, kBlank, 0.0f, 0.0f}; }), "--verify"});
+  const Json json = explain({changedCapture("stepped-corner",
+                                            [](Hit& hit) {
+                                              hit = {kHitNoRay, 0.0f, kNoReference, 0.0f, 0.0f};
+                                            }),
+                             "--verify"});
   expectSums(json);
   EXPECT_GT(json["rays"].get<uint64_t>(), 0u);
   EXPECT_GT(json["causes"]["numeric"].get<uint64_t>(), 0u);

@@ -11,6 +11,7 @@
 #include "core/grid/derive.h"
 #include "core/grid/grid.h"
 #include "tests/commands/program.h"
+#include "tests/grid_words.h"
 
 namespace gridscope {
 namespace {
@@ -33,7 +34,7 @@ class JudgedFrames : public ProgramTest {
     ASSERT_EQ(run({"capture", "saturated-cell", "--size", "32x18", "-o", name}).exitCode, 0);
     Capture capture = readCapture(folder_ / name);
     for (size_t i = 0; i < capture.frames[0].hits.size(); i += 2)
-      if (capture.frames[0].hits[i].kind == kHitTriangle) capture.frames[0].hits[i] = {kHitMiss, 0.0f, kBlank, 0.0f, 0.0f};
+      if (capture.frames[0].hits[i].kind == kHitTriangle) capture.frames[0].hits[i] = {kHitMiss, 0.0f, kNoReference, 0.0f, 0.0f};
     writeCapture(folder_ / name, capture);
   }
 
@@ -78,7 +79,7 @@ TEST_F(JudgedFrames, CheckTestsCapturedHitsAndSaysSoInAStageOfTheirOwn) {
   Capture capture = readCapture(folder_ / "other.gridcap");
   size_t valid = 0;
   while (!capture.frames[0].rays[valid].valid) ++valid;
-  capture.frames[0].hits[valid] = {kHitNoRay, 0.0f, kBlank, 0.0f, 0.0f};
+  capture.frames[0].hits[valid] = {kHitNoRay, 0.0f, kNoReference, 0.0f, 0.0f};
   writeCapture(folder_ / "unended.gridcap", capture);
   EXPECT_EQ(results({"check", "other.gridcap"})["stages"].back()["stage"], "captured hits");
   const Json json = results({"check", "unended.gridcap"}, 1);
@@ -128,9 +129,8 @@ void makeForeign(Capture& capture) {
     for (cell.z = 0; cell.z < before.cellCount.z; ++cell.z)
       for (cell.y = 0; cell.y < before.cellCount.y; ++cell.y)
         for (cell.x = 0; cell.x < before.cellCount.x; ++cell.x)
-          for (int slot = 0; slot < before.capacity; ++slot)
-            to.at(gridTexel(to.parameters, cell, slot)) = from.at(gridTexel(before, cell, slot));
-    frame.grid = std::move(to.texels);
+          for (int slot = 0; slot < before.capacity; ++slot) slotAt(to, cell, slot) = slotAt(from, cell, slot);
+    frame.grid = std::move(to.words);
   }
 }
 

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/frame/small_frame.h"
+#include "tests/grid_words.h"
 
 namespace gridscope {
 namespace {
@@ -65,8 +66,8 @@ TEST(FindNext, FullCellsComeByFallingDemand) {
                              .stretchAxis = 1});
   EXPECT_EQ(nextFullCell(occupiedCells(grid), {}), std::nullopt);
   const auto fill = [&](int x, int stored, uint32_t refused) {
-    for (int slot = 0; slot < stored; ++slot) grid.at(gridTexel(grid.parameters, ivec3(x, 0, 0), slot)) = uint32_t(slot);
-    grid.at(gridRefusedTexel(grid.parameters, ivec3(x, 0, 0), false)) = refused;
+    for (int slot = 0; slot < stored; ++slot) slotAt(grid, ivec3(x, 0, 0), slot) = uint32_t(slot);
+    refusedAt(grid, ivec3(x, 0, 0), false) = refused;
   };
   fill(0, 1, 0);
   EXPECT_EQ(nextFullCell(occupiedCells(grid), {}), ivec3(0, 0, 0)) << "nothing is saturated: the fullest";
@@ -75,17 +76,17 @@ TEST(FindNext, FullCellsComeByFallingDemand) {
   EXPECT_EQ(nextFullCell(occupiedCells(grid), ivec3(2, 0, 0)), ivec3(1, 0, 0));
   EXPECT_EQ(nextFullCell(occupiedCells(grid), ivec3(1, 0, 0)), ivec3(2, 0, 0));
   EXPECT_EQ(nextFullCell(occupiedCells(grid), ivec3(0, 0, 0)), ivec3(2, 0, 0));
-  EXPECT_EQ(fullnessOf(grid, ivec3(1, 0, 0)).tried(), 5u);
+  EXPECT_EQ(cellFacts(grid, ivec3(1, 0, 0)).tried(), 5u);
 }
 
 TEST(FindNext, AFlagAloneCountsAsOneRefusedAndWithoutReservedTexelsAFullCellIsSaturated) {
   Grid flagged = makeEmptyGrid({.cellCount = ivec3(1), .capacity = 1, .reserved = 1, .stride = 2, .stretchAxis = 0});
-  flagged.texels = {5, 77};
-  EXPECT_EQ(fullnessOf(flagged, ivec3(0)).refused, 1u);
+  flagged.words = {5, 77};
+  EXPECT_EQ(cellFacts(flagged, ivec3(0)).refused, 1u);
   Grid plain = makeEmptyGrid({.cellCount = ivec3(1), .capacity = 1, .reserved = 0, .stride = 1, .stretchAxis = 0});
-  EXPECT_FALSE(fullnessOf(plain, ivec3(0)).saturated);
-  plain.texels = {5};
-  EXPECT_TRUE(fullnessOf(plain, ivec3(0)).saturated);
+  EXPECT_FALSE(cellFacts(plain, ivec3(0)).saturated);
+  plain.words = {5};
+  EXPECT_TRUE(cellFacts(plain, ivec3(0)).saturated);
 }
 
 }  // namespace

@@ -5,7 +5,7 @@
 
 #include "app/frame/cell_boxes.h"
 #include "app/frame/projection.h"
-#include "core/grid/derive.h"
+#include "core/trace/derive.h"
 #include "tests/small_scene.h"
 
 namespace gridscope {
@@ -65,7 +65,7 @@ TEST(Projection, SurfacesHideTheFarPartOfALine) {
   const CameraParameters camera = testCamera();
   std::vector<GatherPixel> gather(160 * 90);
   for (uint32_t i = 0; i < gather.size(); ++i) {
-    gather[i].reference = i % 160 < 80 ? 0u : kBlank;  // a wall on the left half, the sky on the right
+    gather[i].reference = i % 160 < 80 ? 0u : kNoReference;  // a wall on the left half, the sky on the right
     gather[i].depth = 3.0f;
   }
   const WorldLine across{pointThrough(camera, {20.0f, 45.0f}, 4.0f), pointThrough(camera, {140.0f, 45.0f}, 4.0f)};

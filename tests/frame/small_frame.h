@@ -38,9 +38,9 @@ struct SmallFrame {
     for (uint32_t pixel = 0; pixel < 8; ++pixel)
       truths[pixel] = {.verdict = pixel == 0 ? kVerdictNoRay : kVerdictAgrees,
                        .cause = kCauseNone,
-                       .exactReference = kBlank,
+                       .exactReference = kNoReference,
                        .cell = ivec3(-1),
-                       .reference = kBlank,
+                       .reference = kNoReference,
                        .segment = -1};
     truths[3].verdict = truths[6].verdict = kVerdictHole;
     truths[4].verdict = kVerdictVoxelWrong;
@@ -68,7 +68,7 @@ struct SmallFrame {
     const uint32_t kinds[8] = {kHitNoRay, kHitTriangle, kHitTriangle, kHitMiss, kHitVoxel, kHitTriangle, kHitMiss, kHitTriangle};
     for (uint32_t pixel = 0; pixel < 8; ++pixel) {
       const bool hit = kinds[pixel] == kHitTriangle || kinds[pixel] == kHitVoxel;
-      hits[pixel] = {.kind = kinds[pixel], .t = hit ? 8.0f - float(pixel) : 0.0f, .reference = hit ? makeReference(0, 0) : kBlank};
+      hits[pixel] = {.kind = kinds[pixel], .t = hit ? 8.0f - float(pixel) : 0.0f, .reference = hit ? makeReference(0, 0) : kNoReference};
     }
     return hits;
   }

@@ -3,6 +3,7 @@
 
 #include "app/frame/step_facts.h"
 #include "app/model/ray_stepping.h"
+#include "shaders/shared/trace/triangle_test.h"
 #include "shaders/shared/views/palette.h"
 #include "tests/small_scene.h"
 

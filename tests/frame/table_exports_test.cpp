@@ -6,6 +6,9 @@
 #include <fstream>
 #include <sstream>
 
+#include "app/model/exports.h"
+#include "app/model/window_model.h"
+
 namespace gridscope {
 namespace {
 

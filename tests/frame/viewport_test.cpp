@@ -6,7 +6,7 @@
 #include "app/frame/projection.h"
 #include "app/frame/read_out.h"
 #include "app/frame/viewport_place.h"
-#include "core/grid/derive.h"
+#include "core/trace/derive.h"
 
 namespace gridscope {
 namespace {

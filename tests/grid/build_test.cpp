@@ -6,7 +6,8 @@
 #include <algorithm>
 
 #include "core/grid/invariants.h"
-#include "shaders/shared/scene/triangle.h"
+#include "shaders/shared/grid/overlap.h"
+#include "tests/grid_words.h"
 #include "tests/small_scene.h"
 
 namespace gridscope {
@@ -64,8 +65,8 @@ TEST(Build, EveryCellHoldsTheSmallestOfTheReferencesThatOverlapItAndCountsTheRes
         std::vector<uint32_t> expected = overlappingReferences(built, cell);
         const auto kept = expected.begin() + std::ptrdiff_t(std::min<size_t>(expected.size(), capacity));
         const auto refusedStatic = std::count_if(kept, expected.end(), [&](uint32_t r) { return r < firstDynamicReference(grid); });
-        ASSERT_EQ(built.grid.at(gridRefusedTexel(grid, cell, false)), uint32_t(refusedStatic));
-        ASSERT_EQ(built.grid.at(gridRefusedTexel(grid, cell, true)), uint32_t(expected.end() - kept - refusedStatic));
+        ASSERT_EQ(refusedAt(built.grid, cell, false), uint32_t(refusedStatic));
+        ASSERT_EQ(refusedAt(built.grid, cell, true), uint32_t(expected.end() - kept - refusedStatic));
         expected.erase(kept, expected.end());
         ASSERT_EQ(storedReferences(built.grid, cell), expected);
       });
@@ -80,7 +81,7 @@ TEST(Build, FirstComeHoldsTheSameReferencesWhereNothingIsRefused) {
   const BuiltScene sorted(mixedScene(), settings);
   settings.insertion = kInsertionFirstCome;
   const BuiltScene firstCome(mixedScene(), settings);
-  EXPECT_EQ(sorted.grid.texels, firstCome.grid.texels);  // in rising order, first come is sorted
+  EXPECT_EQ(sorted.grid.words, firstCome.grid.words);  // in rising order, first come is sorted
   settings.capacity = 5;
   expectNothingBroken(BuiltScene(mixedScene(), settings));
 }
@@ -92,7 +93,7 @@ TEST(Build, TheSameSceneGivesTheSameGridEveryTime) {
     settings.capacity = 4;
     settings.insertion = insertion;
     const BuiltScene first(mixedScene(), settings);
-    for (int i = 0; i < 5; ++i) EXPECT_EQ(BuiltScene(mixedScene(), settings).grid.texels, first.grid.texels);
+    for (int i = 0; i < 5; ++i) EXPECT_EQ(BuiltScene(mixedScene(), settings).grid.words, first.grid.words);
   }
 }
 

@@ -1,12 +1,14 @@
 // Derived parameters: the grid's shape, the loop budget, the camera, and messages that help.
 #include "core/grid/derive.h"
+#include "core/trace/derive.h"
+#include "shaders/shared/grid/grid.h"
+#include "shaders/shared/trace/frame.h"
 
 #include <gtest/gtest.h>
 
 #include <functional>
 
 #include "core/base/error.h"
-#include "shaders/shared/grid/grid.h"
 #include "tests/small_scene.h"
 
 namespace gridscope {

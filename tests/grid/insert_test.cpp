@@ -5,7 +5,7 @@
 #include <set>
 
 #include "core/grid/slots.h"
-#include "shaders/shared/scene/triangle.h"
+#include "shaders/shared/grid/overlap.h"
 #include "tests/small_scene.h"
 
 namespace gridscope {
@@ -14,6 +14,7 @@ namespace {
 struct TestInsert : SlotWriter {
   using SlotWriter::SlotWriter;
 #include "shaders/shared/grid/insert.h"
+#include "tests/grid_words.h"
 };
 
 // A grid of 3 x 4 x 5 cells, the instances below 100 static.
@@ -59,8 +60,8 @@ TEST(Insertion, SortedKeepsTheSmallestInOrderWhateverTheOrderOfArrival) {
     const size_t kept = std::min(expected.size(), size_t(capacity));
     const auto refusedBegin = expected.begin() + std::ptrdiff_t(kept);
     const auto refusedStatic = std::count_if(refusedBegin, expected.end(), [](uint32_t r) { return r < 100u << 16; });
-    EXPECT_EQ(grid.at(gridRefusedTexel(parameters, cell, false)), uint32_t(refusedStatic));
-    EXPECT_EQ(grid.at(gridRefusedTexel(parameters, cell, true)), uint32_t(expected.end() - refusedBegin - refusedStatic));
+    EXPECT_EQ(refusedAt(grid, cell, false), uint32_t(refusedStatic));
+    EXPECT_EQ(refusedAt(grid, cell, true), uint32_t(expected.end() - refusedBegin - refusedStatic));
     EXPECT_EQ(stored, kept);
     EXPECT_EQ(refused, expected.size() - kept);
     expected.resize(kept);
@@ -69,9 +70,9 @@ TEST(Insertion, SortedKeepsTheSmallestInOrderWhateverTheOrderOfArrival) {
     // No other texel is touched.
     for (int slot = 0; slot < parameters.stride; ++slot) {
       const ivec3 texel = gridTexel(parameters, cell, slot);
-      grid.at(texel) = empty.at(texel);
+      grid.words[wordOf(parameters, texel)] = empty.words[wordOf(parameters, texel)];
     }
-    ASSERT_EQ(grid.texels, empty.texels);
+    ASSERT_EQ(grid.words, empty.words);
   }
 }
 
@@ -84,8 +85,7 @@ TEST(Insertion, FirstComeKeepsTheFirstInTheirOrder) {
     TestInsert insert(grid);
     for (uint32_t reference : arrivals) insert.insertReference(parameters, ivec3(1, 2, 3), reference);
     const size_t kept = std::min(arrivals.size(), size_t(parameters.capacity));
-    const uint32_t refused =
-        grid.at(gridRefusedTexel(parameters, ivec3(1, 2, 3), false)) + grid.at(gridRefusedTexel(parameters, ivec3(1, 2, 3), true));
+    const uint32_t refused = refusedAt(grid, ivec3(1, 2, 3), false) + refusedAt(grid, ivec3(1, 2, 3), true);
     EXPECT_EQ(refused, arrivals.size() - kept);
     arrivals.resize(kept);
     ASSERT_EQ(storedReferences(grid, ivec3(1, 2, 3)), arrivals);
@@ -107,9 +107,9 @@ TEST(Insertion, AnEmptyGridHasBlankSlotsAndZeroedReservedTexelsOnEveryStretchedA
   for (int axis = 0; axis < 3; ++axis) {
     const GridParameters parameters = smallGrid(3, axis, kInsertionSorted);
     const Grid grid = makeEmptyGrid(parameters);
-    EXPECT_EQ(grid.texels.size(), size_t(3 * 4 * 5 * 5));
+    EXPECT_EQ(grid.words.size(), size_t(3 * 4 * 5 * 5));
     forEachCell(parameters, [&](const ivec3& cell) {
-      for (int slot = 0; slot < 5; ++slot) EXPECT_EQ(grid.at(gridTexel(parameters, cell, slot)), slot < 3 ? kBlank : 0u);
+      for (int slot = 0; slot < 5; ++slot) EXPECT_EQ(slotAt(grid, cell, slot), slot < 3 ? kBlank : 0u);
     });
   }
 }

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "core/trace/invariants_rays.h"
+#include "tests/grid_words.h"
 #include "tests/small_scene.h"
 
 namespace gridscope {
@@ -55,7 +56,7 @@ TEST(Placement, AReferenceThatIsMissingIsNamedWithItsCell) {
   BuiltScene built(crowd.scene, crowd.settings);
   const ivec3 cell = cellWithRoom(built.grid, true);
   const std::vector<uint32_t> held = storedReferences(built.grid, cell);
-  built.grid.at(gridTexel(built.grid.parameters, cell, int(held.size()) - 1)) = kBlank;
+  slotAt(built.grid, cell, int(held.size()) - 1) = kBlank;
   const Invariant placed = testPlacement({built.grid, demandOf(built)});
   EXPECT_EQ(placed.count, 1u);
   char expected[128];
@@ -73,7 +74,7 @@ TEST(Placement, AReferenceOutOfPlaceIsFoundWhetherStaticOrDynamic) {
     const int slot = int(storedReferences(built.grid, cell).size());
     uint32_t stranger = dynamic ? makeReference(1, 0) : makeReference(0, 0);
     while (demand.wants(cell, stranger)) ++stranger;
-    built.grid.at(gridTexel(built.grid.parameters, cell, slot)) = stranger;
+    slotAt(built.grid, cell, slot) = stranger;
     EXPECT_EQ(testPlacement({built.grid, demand}).holds(), dynamic);
     EXPECT_EQ(testStale({built.grid, demand}).count, dynamic ? 1u : 0u);
   }
@@ -92,7 +93,7 @@ TEST(Placement, AFullSortedCellMustHoldTheSmallest) {
   bool done = false;
   forEachCell(built.grid.parameters, [&](const ivec3& cell) {
     if (done || demand.wanted(cell).size() < 6) return;
-    built.grid.at(gridTexel(built.grid.parameters, cell, 3)) = demand.wanted(cell)[4];
+    slotAt(built.grid, cell, 3) = demand.wanted(cell)[4];
     done = true;
   });
   ASSERT_TRUE(done);

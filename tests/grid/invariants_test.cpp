@@ -5,6 +5,7 @@
 
 #include <numeric>
 
+#include "tests/grid_words.h"
 #include "tests/small_scene.h"
 
 namespace gridscope {
@@ -28,9 +29,9 @@ class Invariants : public testing::Test {
 
   void fill(const std::vector<uint32_t>& slots, uint32_t staticRefused = 0, uint32_t dynamicRefused = 0) {
     for (int slot = 0; slot < grid.parameters.capacity; ++slot)
-      grid.at(gridTexel(grid.parameters, cell, slot)) = size_t(slot) < slots.size() ? slots[size_t(slot)] : kBlank;
-    grid.at(gridRefusedTexel(grid.parameters, cell, false)) = staticRefused;
-    grid.at(gridRefusedTexel(grid.parameters, cell, true)) = dynamicRefused;
+      slotAt(grid, cell, slot) = size_t(slot) < slots.size() ? slots[size_t(slot)] : kBlank;
+    refusedAt(grid, cell, false) = staticRefused;
+    refusedAt(grid, cell, true) = dynamicRefused;
   }
 
   // Expects one line that says `part` and names the cell.
@@ -115,8 +116,8 @@ TEST_F(Invariants, AReferenceThatWentMissingIsFoundByTheSum) {
 
 TEST_F(Invariants, SeveralBrokenCellsMakeOneLineThatCountsThem) {
   fill({b, a});
-  grid.at(gridTexel(grid.parameters, ivec3(4, 4, 4), 0)) = d;
-  grid.at(gridTexel(grid.parameters, ivec3(4, 4, 4), 1)) = c;
+  slotAt(grid, ivec3(4, 4, 4), 0) = d;
+  slotAt(grid, ivec3(4, 4, 4), 1) = c;
   expectFault("2 cells hold references that do not rise");
 }
 
@@ -141,8 +142,8 @@ TEST_F(Invariants, GridsWithFewerReservedTexelsAreReadAsTheyMeanIt) {
     parameters.reserved = reserved;
     parameters.stride = parameters.capacity + reserved;
     grid = makeEmptyGrid(parameters);
-    for (int slot = 0; slot < 4; ++slot) grid.at(gridTexel(parameters, cell, slot)) = uint32_t(slot);
-    if (reserved == 1) grid.at(gridTexel(parameters, cell, 4)) = 1;
+    for (int slot = 0; slot < 4; ++slot) slotAt(grid, cell, slot) = uint32_t(slot);
+    if (reserved == 1) slotAt(grid, cell, 4) = 1;
     expectSound();
     EXPECT_EQ(countGrid(grid).statistics.saturated, 1u);
     EXPECT_EQ(countGrid(grid).statistics.maxDemand, 4u);

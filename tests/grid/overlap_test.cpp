@@ -1,7 +1,7 @@
 // The two overlap tests against clipping in double, and what the build relies on: no point of a triangle lies in a cell that missed it.
 #include <gtest/gtest.h>
 
-#include "shaders/shared/scene/triangle.h"
+#include "shaders/shared/grid/overlap.h"
 #include "tests/small_scene.h"
 
 namespace gridscope {

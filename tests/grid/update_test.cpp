@@ -41,7 +41,7 @@ TEST_P(CrowdUpdate, MovedEqualsAllAfterEachOf30Frames) {
     EXPECT_EQ(moved.size(), GetParam().movingCount);
     const UpdateReport report = updateMoved(byMoved.numbered, moved, byMoved.worldTriangles, byMoved.grid);
     updateAll(byAll.numbered, byAll.worldTriangles, byAll.grid);
-    ASSERT_EQ(byMoved.grid.texels, byAll.grid.texels) << "frame " << frame;
+    ASSERT_EQ(byMoved.grid.words, byAll.grid.words) << "frame " << frame;
     ASSERT_EQ(checkInvariants(byMoved.grid, byMoved.numbered, nullptr), std::vector<std::string>{}) << "frame " << frame;
     EXPECT_EQ(report.added.cellsWalked, report.added.cellsExpected);
     EXPECT_GT(report.cellsTouched, 0u);
@@ -101,7 +101,7 @@ TEST(Update, MovedEqualsAllForAnySubsetOfInstancesAndAnyCapacity) {
       BuiltScene byAll = byMoved;
       updateMoved(byMoved.numbered, moved, byMoved.worldTriangles, byMoved.grid);
       updateAll(byAll.numbered, byAll.worldTriangles, byAll.grid);
-      ASSERT_EQ(byMoved.grid.texels, byAll.grid.texels) << "round " << round << ", frame " << frame;
+      ASSERT_EQ(byMoved.grid.words, byAll.grid.words) << "round " << round << ", frame " << frame;
     }
   }
 }
@@ -109,12 +109,12 @@ TEST(Update, MovedEqualsAllForAnySubsetOfInstancesAndAnyCapacity) {
 TEST(Update, NothingIsTouchedWhenNothingMoved) {
   const Scene scene = makeMovingCrowd(3);
   BuiltScene built(scene, crowdGrid(4));
-  const std::vector<uint32_t> before = built.grid.texels;
+  const std::vector<uint32_t> before = built.grid.words;
   const UpdateReport report = updateMoved(built.numbered, {}, built.worldTriangles, built.grid);
   EXPECT_EQ(report.cellsTouched, 0u);
   EXPECT_EQ(report.cellsRebuilt, 0u);
   EXPECT_EQ(report.added.tried, 0u);
-  EXPECT_EQ(built.grid.texels, before);
+  EXPECT_EQ(built.grid.words, before);
 }
 
 TEST(Update, NoCellIsRebuiltWhereNothingWasRefused) {
@@ -141,7 +141,7 @@ TEST(Update, AllForgetsThePreviousDynamicReferencesAndKeepsTheStaticOnes) {
   BuiltScene fresh = built;
   fresh.grid = buildGrid(built.grid.parameters, fresh.numbered, fresh.worldTriangles, fresh.staticReport);
   const UpdateReport report = updateAll(fresh.numbered, fresh.worldTriangles, fresh.grid);
-  EXPECT_EQ(built.grid.texels, fresh.grid.texels);
+  EXPECT_EQ(built.grid.words, fresh.grid.words);
   const uint64_t tried = uint64_t(fresh.staticReport.tried) + report.added.tried;
   EXPECT_EQ(checkInvariants(built.grid, built.numbered, &tried), std::vector<std::string>{});
 }

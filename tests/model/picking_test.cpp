@@ -3,7 +3,7 @@
 
 #include "app/frame/pick_cell.h"
 #include "app/model/drag_handle.h"
-#include "core/grid/derive.h"
+#include "core/trace/derive.h"
 #include "tests/frame/small_frame.h"
 
 namespace gridscope {
@@ -37,7 +37,7 @@ TEST(PickCell, TheNearestDrawnBoxBeforeTheSurfaceElseTheSurfacesCell) {
   const CameraParameters camera = testCamera();
   const vec2 pixel = projectPoint(camera, vec3(1.5f, 1.5f, 1.5f))->pixel;
   auto gather = std::make_shared<std::vector<GatherPixel>>(size_t(camera.width) * camera.height);
-  for (GatherPixel& seen : *gather) seen.reference = kBlank;
+  for (GatherPixel& seen : *gather) seen.reference = kNoReference;
   GatherPixel& seen = (*gather)[size_t(pixel.y) * camera.width + size_t(pixel.x)];
   seen.reference = makeReference(0, 0), seen.position = vec3(1.5f, 1.5f, 1.5f), seen.depth = glm::distance(camera.eye, seen.position);
   small.frame.gather = gather;

@@ -7,7 +7,7 @@
 #include "app/model/held_ray.h"
 #include "app/model/ray_stepping.h"
 #include "app/model/stale_values.h"
-#include "core/grid/derive.h"
+#include "core/trace/derive.h"
 #include "tests/frame/small_frame.h"
 #include "views/view.h"
 
@@ -128,7 +128,7 @@ TEST(HeldRay, GoesThroughAnotherGridAgain) {
   const size_t tests = shownRay(m.model)->record.steps.size();
   ASSERT_GT(tests, 0u);
   auto grid = std::make_shared<Grid>(*m.small.frame.grid);
-  std::fill(grid->texels.begin(), grid->texels.end(), kBlank);
+  std::fill(grid->words.begin(), grid->words.end(), kNoReference);
   m.small.frame.grid = grid;
   m.show();
   holdRay(m.model);

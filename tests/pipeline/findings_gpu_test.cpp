@@ -6,7 +6,8 @@
 #include "core/pipeline/frame_truth.h"
 #include "core/pipeline/stability.h"
 #include "core/trace/cell_rays.h"
-#include "shaders/shared/truth/truth_colours.h"
+#include "shaders/shared/grid/slice.h"
+#include "shaders/shared/views/truth_colours.h"
 #include "tests/gpu_fixture.h"
 #include "tests/lesson.h"
 #include "views/view.h"
@@ -67,12 +68,12 @@ TEST_F(FindingsTest, VerdictCauseErrorAndLostPaintTheTruth) {
       EXPECT_EQ(cause[i].payload, packBytes(unpackColour(causeColour(ray.cause))));
     }
     ASSERT_EQ(cause[i].kind == kElementMarked, ray.cause == kCauseRefused);
-    const bool both = ray.exactReference != kBlank && (hits[i].kind == kHitTriangle || hits[i].kind == kHitVoxel);
+    const bool both = ray.exactReference != kNoReference && (hits[i].kind == kHitTriangle || hits[i].kind == kHitVoxel);
     ASSERT_EQ(error[i].kind, both ? kElementValue : kElementNothing);
     if (both) {
       EXPECT_EQ(valueOf(error[i]), std::abs(ray.error));
     }
-    if (seen[i].reference == kBlank) continue;
+    if (seen[i].reference == kNoReference) continue;
     const uint32_t cost = costs[pipeline_->numbered().instances[referenceInstance(seen[i].reference)].firstWorldTriangle +
                                 referenceTriangle(seen[i].reference)];
     ASSERT_EQ(lost[i].kind, cost > 0 ? kElementValue : kElementColour);
@@ -113,7 +114,7 @@ TEST_F(FindingsTest, StabilityPaintsRaysBeforeCells) {
   const std::vector<GatherPixel> seen = pipeline_->gatherPixels();
   for (size_t i = 6; i < shown.size(); ++i) {
     const bool inGrid = gridContains(pipeline_->parameters().grid, gridCell(pipeline_->parameters().grid, seen[i].position));
-    if (seen[i].reference == kBlank || !inGrid) continue;
+    if (seen[i].reference == kNoReference || !inGrid) continue;
     ASSERT_EQ(shown[i].payload, packBytes(unpackColour(kColourSetDiffers)));
   }
 }
@@ -154,7 +155,7 @@ TEST_F(GpuTest, UpdatePaintsTheCellsThatTheMovedInstanceLeftAndEntered) {
     const Pipeline::ViewImage image = pipeline.view("update-slice", {1, layer}, false);
     for (uint32_t i = 0; i < image.elements.size(); ++i) {
       const CellUpdate& update = updates[cellNumber(grid, sliceCell(grid.cellCount, 1, layer, i))];
-      ASSERT_EQ(image.elements[i].kind, update.instance == kBlank ? kElementNothing : kElementColour);
+      ASSERT_EQ(image.elements[i].kind, update.instance == kNoReference ? kElementNothing : kElementColour);
       cleared += update.cleared > 0 && update.filled == 0;
       if (update.filled == 0) continue;
       ++filled;

@@ -6,6 +6,7 @@
 #include "core/grid/cell_updates.h"
 #include "core/pipeline/stability.h"
 #include "core/trace/cell_rays.h"
+#include "tests/grid_words.h"
 #include "tests/small_scene.h"
 
 namespace gridscope {
@@ -60,7 +61,7 @@ TEST(CellUpdates, NameTheInstanceAndCountWhatLeftCameAndStayed) {
   for (const CellUpdate& update : compareUpdate(before, built.grid)) {
     cleared += update.cleared, filled += update.filled, kept += update.kept;
     const bool touched = update.cleared + update.filled + update.kept > 0;
-    EXPECT_EQ(update.instance, touched ? 1u : kBlank);
+    EXPECT_EQ(update.instance, touched ? 1u : kNoReference);
     untouched += !touched;
   }
   EXPECT_EQ(cleared + kept, countGrid(before).statistics.dynamicStored);
@@ -83,7 +84,7 @@ ivec3 fullerCell(const Grid& grid) {
 TEST(Stability, TellsOrderFromSetAndCountsRaysThatChange) {
   const BuiltScene built(crowdedScene(), {.cells = 12, .capacity = 4});
   const GridParameters& parameters = built.grid.parameters;
-  const ivec3 cell = fullerCell(built.grid), first = gridTexel(parameters, cell, 0), second = gridTexel(parameters, cell, 1);
+  const ivec3 cell = fullerCell(built.grid);
   const std::vector<Hit> hits(3, Hit{.kind = kHitTriangle, .t = 1.0f, .reference = 0});
   BuildComparison comparison;
   comparison.add(built.grid, hits);
@@ -91,7 +92,7 @@ TEST(Stability, TellsOrderFromSetAndCountsRaysThatChange) {
   EXPECT_EQ(comparison.result().setDiffers + comparison.result().orderDiffers + comparison.result().raysChange, 0u);
 
   Grid swapped = built.grid;
-  std::swap(swapped.at(first), swapped.at(second));
+  std::swap(slotAt(swapped, cell, 0), slotAt(swapped, cell, 1));
   std::vector<Hit> farther = hits;
   farther[1].t = 1.0000001f;
   comparison.add(swapped, farther);
@@ -103,7 +104,7 @@ TEST(Stability, TellsOrderFromSetAndCountsRaysThatChange) {
 
   // A set that once differed stays so, whatever comes later.
   Grid other = built.grid;
-  other.at(first) = makeReference(0, 199);
+  slotAt(other, cell, 0) = makeReference(0, 199);
   comparison.add(other, hits);
   comparison.add(swapped, hits);
   found = comparison.result();

@@ -39,7 +39,7 @@ TEST_P(UpdateGpuTest, MovedEqualsAllAfterEachOfThirtyFrames) {
     float time = 0.11f * float(frame);
     all.update(time);
     moved.update(time);
-    ASSERT_EQ(all.grid().texels, moved.grid().texels) << "frame " << frame;
+    ASSERT_EQ(all.grid().words, moved.grid().words) << "frame " << frame;
     refused += all.gridTotals().statistics.dynamicRefused;
     if (frame == 0) continue;  // the first adds all
     rebuilt += moved.updateReport().cellsRebuilt;
@@ -83,11 +83,11 @@ TEST_F(GpuTest, ManyBuildsLeaveTheSameBytes) {
   Pipeline pipeline(gpu(), scene, crowdSettings(scene, 6, UpdateMode::all));
   pipeline.build();
   pipeline.update(0.4f);
-  std::vector<uint32_t> first = pipeline.grid().texels;
+  std::vector<uint32_t> first = pipeline.grid().words;
   for (int run = 0; run < 5; ++run) {
     pipeline.build();
     pipeline.update(0.4f);
-    EXPECT_EQ(pipeline.grid().texels, first);
+    EXPECT_EQ(pipeline.grid().words, first);
   }
 }
 

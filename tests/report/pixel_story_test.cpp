@@ -103,7 +103,9 @@ TEST(PixelStory, TheCaseOfACauseIsTold) {
 
 TEST(PixelStory, AHitThatNoRuleMakesIsToldAsNotConfirmed) {
   TruthScene scene{.scene = sceneOf({panelAt(5.5f)}), .rays = rayBundle(), .grid = unitCells()};
-  scene.tracedElsewhere = [&scene](BuiltScene&) { return std::vector<Hit>(scene.rays.size(), Hit{kHitMiss, 0.0f, kBlank, 0.0f, 0.0f}); };
+  scene.tracedElsewhere = [&scene](BuiltScene&) {
+    return std::vector<Hit>(scene.rays.size(), Hit{kHitMiss, 0.0f, kNoReference, 0.0f, 0.0f});
+  };
   const std::string text = plainText(storyOf(ToldScene(scene), kNames));
   EXPECT_NE(text.find("Not confirmed: traced again with that rule changed, the ray does not end as the frame's hit does"),
             std::string::npos)

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "core/base/error.h"
-#include "shaders/shared/grid/grid.h"
+#include "shaders/shared/scene/scene.h"
 #include "tests/small_scene.h"
 
 namespace gridscope {

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "tests/grid_words.h"
 #include "tests/small_scene.h"
 
 namespace gridscope {
@@ -46,8 +47,7 @@ TEST(FrameInvariants, ATriangleWhereItDoesNotBelongIsSaidUnlessAnotherProgramPut
   const ivec3 a = cells.front(), b = cells.back();
   ASSERT_NE(storedReferences(crowd.built.grid, a), storedReferences(crowd.built.grid, b));
   for (int texel = 0; texel < crowd.built.grid.parameters.stride; ++texel)
-    std::swap(crowd.built.grid.at(gridTexel(crowd.built.grid.parameters, a, texel)),
-              crowd.built.grid.at(gridTexel(crowd.built.grid.parameters, b, texel)));
+    std::swap(slotAt(crowd.built.grid, a, texel), slotAt(crowd.built.grid, b, texel));
   const std::vector<Invariant> invariants = crowd.test();
   EXPECT_NE(one(invariants, "placed").fault.find("(" + std::to_string(a.x) + ", " + std::to_string(a.y) + ", " + std::to_string(a.z) + ")"),
             std::string::npos)
@@ -64,7 +64,8 @@ TEST(FrameInvariants, HitsAreTestedTooCapturedOnesAlike) {
   const TraceInput input = crowd.built.traceInput({});
   const std::vector<Ray> rays = {makeRay(vec3(0.0f), vec3(1, 0, 0))};
   EXPECT_EQ(
-      faultsOf(testFrameHits(crowd.built.numbered, input.parameters, rays, std::vector{Hit{kHitMiss, 0.0f, kBlank, 0.0f, 0.0f}})).size(),
+      faultsOf(testFrameHits(crowd.built.numbered, input.parameters, rays, std::vector{Hit{kHitMiss, 0.0f, kNoReference, 0.0f, 0.0f}}))
+          .size(),
       0u);
   const std::vector<std::string> faults =
       faultsOf(testFrameHits(crowd.built.numbered, input.parameters, rays, std::vector{Hit{kHitTriangle, 1.0f, 99u << 16, 0.0f, 0.0f}}));

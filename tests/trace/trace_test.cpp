@@ -7,7 +7,9 @@
 
 #include "core/base/parallel.h"
 #include "core/scene/built_in_scenes.h"
-#include "shaders/shared/scene/triangle.h"
+#include "shaders/shared/grid/grid.h"
+#include "shaders/shared/trace/triangle_test.h"
+#include "tests/grid_words.h"
 #include "tests/small_scene.h"
 
 namespace gridscope {
@@ -270,9 +272,7 @@ TEST(Trace, OfEqualDistancesTheSmallerReferenceWinsInEveryOrderOfSlots) {
     settings.insertion = insertion;
     BuiltScene built(sceneOf({kWall, kWall, kWall}), settings);
     if (insertion == kInsertionFirstCome)
-      forEachCell(built.grid.parameters, [&](const ivec3& cell) {
-        std::swap(built.grid.at(gridTexel(built.grid.parameters, cell, 0)), built.grid.at(gridTexel(built.grid.parameters, cell, 2)));
-      });
+      forEachCell(built.grid.parameters, [&](const ivec3& cell) { std::swap(slotAt(built.grid, cell, 0), slotAt(built.grid, cell, 2)); });
     for (const TraceSettings& trace : {TraceSettings{}, kDda})
       EXPECT_EQ(traceOne(built.traceInput(trace), makeRay(vec3(0.5f), vec3(1.0f, 0.0f, 0.0f))).reference, 0u);
   }

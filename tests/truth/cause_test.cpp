@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <ranges>
 
+#include "tests/grid_words.h"
 #include "tests/truth/scene.h"
 
 namespace gridscope {
@@ -41,13 +42,13 @@ void removeReference(Grid& grid, ivec3 cell, uint32_t reference) {
   std::vector<uint32_t> stored = storedIn(grid, cell);
   ASSERT_EQ(std::erase(stored, reference), 1u);
   for (int slot = 0; slot < grid.parameters.capacity; ++slot)
-    grid.at(gridTexel(grid.parameters, cell, slot)) = size_t(slot) < stored.size() ? stored[size_t(slot)] : kBlank;
+    slotAt(grid, cell, slot) = size_t(slot) < stored.size() ? stored[size_t(slot)] : kNoReference;
 }
 
 void appendReference(Grid& grid, ivec3 cell, uint32_t reference) {
   const int slot = int(storedIn(grid, cell).size());
   ASSERT_LT(slot, grid.parameters.capacity);
-  grid.at(gridTexel(grid.parameters, cell, slot)) = reference;
+  slotAt(grid, cell, slot) = reference;
 }
 
 TEST(TruthCause, RefusedWhenTheCellOfTheHitIsFullOfSmallerReferences) {
@@ -67,10 +68,9 @@ TEST(TruthCause, RefusedInAGridThatOnlyFlagsOrSaysNothing) {
       foreign.parameters.reserved = reserved;
       foreign.parameters.stride = foreign.parameters.capacity + reserved;
       const ivec3 texels = gridTexelCount(foreign.parameters);
-      foreign.texels.assign(size_t(texels.x) * size_t(texels.y) * size_t(texels.z), 0);
+      foreign.words.assign(size_t(texels.x) * size_t(texels.y) * size_t(texels.z), 0);
       forEachCell(foreign.parameters, [&](ivec3 cell) {
-        for (int slot = 0; slot < foreign.parameters.stride; ++slot)
-          foreign.at(gridTexel(foreign.parameters, cell, slot)) = built.grid.at(gridTexel(built.grid.parameters, cell, slot));
+        for (int slot = 0; slot < foreign.parameters.stride; ++slot) slotAt(foreign, cell, slot) = slotAt(built.grid, cell, slot);
       });
       built.grid = foreign;
     };
@@ -204,7 +204,9 @@ TEST(TruthCause, AlphaOfSeveralLeavesIsConfirmedAsAChain) {
 TEST(TruthCause, AlphaAndSelfHitThatDoNotMakeTheHitAgainAreNotConfirmed) {
   // A keyed surface was missed, but not because of its key: the wall behind it was missed too.
   TruthScene keyed = keyedScene(255);
-  keyed.tracedElsewhere = [&keyed](BuiltScene&) { return std::vector<Hit>(keyed.rays.size(), Hit{kHitMiss, 0.0f, kBlank, 0.0f, 0.0f}); };
+  keyed.tracedElsewhere = [&keyed](BuiltScene&) {
+    return std::vector<Hit>(keyed.rays.size(), Hit{kHitMiss, 0.0f, kNoReference, 0.0f, 0.0f});
+  };
   expectCause(keyed, kCauseAlpha, kVerdictHole, false);
   TruthScene near{.scene = sceneWithClutter({}, {panelAt(0.55f), panelAt(5.5f)}), .rays = rayBundle()};
   near.tracedElsewhere = keyed.tracedElsewhere;

@@ -6,13 +6,14 @@
 #include <numeric>
 #include <set>
 
+#include "tests/grid_words.h"
 #include "tests/lesson.h"
 #include "tests/truth/scene.h"
 
 namespace gridscope {
 namespace {
 
-Hit hitAt(uint32_t kind, float t) { return {kind, t, kind == kHitMiss ? kBlank : 7u, 0.0f, 0.0f}; }
+Hit hitAt(uint32_t kind, float t) { return {kind, t, kind == kHitMiss ? kNoReference : 7u, 0.0f, 0.0f}; }
 
 TEST(Verdict, FollowsTheDistanceToTheExactHit) {
   GridParameters grid{};
@@ -73,8 +74,7 @@ TEST(Demand, StoredAndRefusedTogetherAreWhatACellWants) {
       std::vector<uint32_t> together = storedIn(built.grid, cell);
       const std::vector<uint32_t> refused = refusedBy(built.grid, demand, cell);
       refusedTotal += refused.size();
-      EXPECT_EQ(refused.size(), size_t(built.grid.at(gridRefusedTexel(built.grid.parameters, cell, false)) +
-                                       built.grid.at(gridRefusedTexel(built.grid.parameters, cell, true))));
+      EXPECT_EQ(refused.size(), size_t(refusedAt(built.grid, cell, false) + refusedAt(built.grid, cell, true)));
       together.insert(together.end(), refused.begin(), refused.end());
       std::ranges::sort(together);
       EXPECT_TRUE(std::ranges::equal(together, demand.wanted(cell)));

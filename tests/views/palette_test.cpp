@@ -8,9 +8,10 @@
 
 #include <gtest/gtest.h>
 
-#include "shaders/shared/truth/truth_colours.h"
+#include "shaders/shared/grid/slice.h"
+#include "shaders/shared/views/element_colour.h"
 #include "shaders/shared/views/palette.h"
-#include "shaders/shared/views/view_element.h"
+#include "shaders/shared/views/truth_colours.h"
 
 namespace gridscope {
 namespace {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <set>
 
+#include "shaders/shared/views/element_colour.h"
 #include "views/picture.h"
 
 namespace gridscope {

@@ -7,8 +7,11 @@
 #include <set>
 
 #include "core/pipeline/pipeline.h"
+#include "shaders/shared/grid/slice.h"
+#include "shaders/shared/scene/triangle.h"
 #include "shaders/shared/views/palette.h"
 #include "tests/gpu_fixture.h"
+#include "tests/grid_words.h"
 #include "tests/lesson.h"
 #include "views/picture.h"
 
@@ -84,9 +87,8 @@ TEST_F(ViewsTest, SliceShowsEachCellOfItsLayerAndMarksTheSaturatedOnes) {
       for (uint32_t i = 0; i < image.elements.size(); ++i) {
         ivec3 cell = sliceCell(cells, axis, layer, i);
         int stored = 0;
-        while (stored < grid.parameters.capacity && grid.at(gridTexel(grid.parameters, cell, stored)) != kBlank) ++stored;
-        bool saturated =
-            grid.at(gridRefusedTexel(grid.parameters, cell, false)) + grid.at(gridRefusedTexel(grid.parameters, cell, true)) > 0;
+        while (stored < grid.parameters.capacity && slotAt(grid, cell, stored) != kNoReference) ++stored;
+        bool saturated = refusedAt(grid, cell, false) + refusedAt(grid, cell, true) > 0;
         ASSERT_EQ(valueOf(image.elements[i]), float(stored));
         ASSERT_EQ(image.elements[i].kind, saturated ? kElementMarked : kElementValue);
         marked += saturated;
@@ -101,9 +103,9 @@ bool explains(const Grid& grid, ivec3 cell, uint32_t reference, float occupancy,
   if (!gridContains(grid.parameters, cell)) return false;
   int stored = 0;
   bool holds = false;
-  for (; stored < grid.parameters.capacity && grid.at(gridTexel(grid.parameters, cell, stored)) != kBlank; ++stored)
-    holds = holds || grid.at(gridTexel(grid.parameters, cell, stored)) == reference;
-  bool saturated = grid.at(gridRefusedTexel(grid.parameters, cell, false)) > 0;
+  for (; stored < grid.parameters.capacity && slotAt(grid, cell, stored) != kNoReference; ++stored)
+    holds = holds || slotAt(grid, cell, stored) == reference;
+  bool saturated = refusedAt(grid, cell, false) > 0;
   return (holds || saturated) && occupancy == float(stored) && marked == saturated;
 }
 
@@ -113,7 +115,7 @@ TEST_F(ViewsTest, SurfaceViewsShowACellThatHoldsTheSurfacesTriangleOrRefusedIt) 
   std::vector<ViewElement> occupancy = pipeline_->view("occupancy").elements, saturation = pipeline_->view("saturation").elements;
   uint32_t saturatedPixels = 0;
   for (size_t i = 0; i < pixels.size(); ++i) {
-    if (pixels[i].reference == kBlank) continue;
+    if (pixels[i].reference == kNoReference) continue;
     bool marked = occupancy[i].kind == kElementMarked, explained = false;
     for (float side : {0.0f, -1e-3f, 1e-3f}) {
       vec3 point = pixels[i].position + pixels[i].geometricNormal * (side * grid.parameters.cellEdge);
@@ -129,7 +131,7 @@ TEST_F(ViewsTest, SurfaceViewsShowACellThatHoldsTheSurfacesTriangleOrRefusedIt) 
 TEST_F(ViewsTest, GatheredSurfacesLieOnTheirTriangles) {
   std::vector<Triangle> triangles = pipeline_->worldTriangles();
   for (const GatherPixel& pixel : pipeline_->gatherPixels()) {
-    if (pixel.reference == kBlank) continue;
+    if (pixel.reference == kNoReference) continue;
     const Instance& instance = pipeline_->numbered().instances[referenceInstance(pixel.reference)];
     const Triangle& triangle = triangles[instance.firstWorldTriangle + referenceTriangle(pixel.reference)];
     vec3 normal = glm::normalize(triangleNormal(triangle));
@@ -144,7 +146,7 @@ TEST_F(ViewsTest, BouncedRaysLeaveTheirSurfaces) {
   std::vector<GatherPixel> pixels = pipeline_->gatherPixels();
   std::vector<Ray> rays = pipeline_->rays();
   for (size_t i = 0; i < rays.size(); ++i) {
-    ASSERT_EQ(rays[i].valid != 0, pixels[i].reference != kBlank);
+    ASSERT_EQ(rays[i].valid != 0, pixels[i].reference != kNoReference);
     if (!rays[i].valid) continue;
     EXPECT_NEAR(glm::length(rays[i].direction), 1.0f, 1e-5f);
     EXPECT_GE(glm::dot(rays[i].direction, pixels[i].geometricNormal), 0.0f);

@@ -103,7 +103,7 @@ TEST(FrameWorker, TheFrameEqualsWhatOnePipelineMakesInOneGo) {
   pipeline.gather();
   pipeline.bounce(0);
   pipeline.trace(false);
-  EXPECT_TRUE(sameBytes(pipeline.grid().texels, frame->grid->texels));
+  EXPECT_TRUE(sameBytes(pipeline.grid().words, frame->grid->words));
   EXPECT_TRUE(sameBytes(pipeline.hits(), *frame->hits));
 }
 
@@ -225,7 +225,7 @@ TEST(FrameWorker, ACaptureOfTheFrameShowsTheSameHits) {
   EXPECT_EQ(captured->scene->captureFrames, 1u) << captured->fault;
   EXPECT_EQ(captured->scene->note, "as the window writes it");
   EXPECT_TRUE(sameBytes(*captured->hits, *before->hits));
-  EXPECT_TRUE(sameBytes(captured->grid->texels, before->grid->texels));
+  EXPECT_TRUE(sameBytes(captured->grid->words, before->grid->words));
   std::filesystem::remove(file);
 }
 
@@ -235,7 +235,7 @@ TEST(FrameWorker, ACapturesHitsAreShownUntilASettingOfTheTraceChanges) {
   const auto before = running.begin();
   running.capture(file);
   Capture capture = readCapture(file);
-  for (size_t i = 0; i < capture.frames[0].hits.size(); i += 2) capture.frames[0].hits[i] = {kHitMiss, 0.0f, kBlank, 0.0f, 0.0f};
+  for (size_t i = 0; i < capture.frames[0].hits.size(); i += 2) capture.frames[0].hits[i] = {kHitMiss, 0.0f, kNoReference, 0.0f, 0.0f};
   writeCapture(file, capture);
   running.open(file, "hit-kind");
   running.request.recordPixel = 96 * 20 + 40;

@@ -153,7 +153,7 @@ void goToMesh(WindowModel& model, uint32_t mesh) {
   for (uint32_t step = 1; step <= count; ++step) {
     const uint32_t pixel = (from + step) % count;
     const RayTruth& truth = (*frame.truths)[pixel];
-    if (truth.cause == kCauseNone || truth.exactReference == kBlank) continue;
+    if (truth.cause == kCauseNone || truth.exactReference == kNoReference) continue;
     const uint32_t instance = referenceInstance(truth.exactReference);
     if (instance < frame.scene->numbered.sources.size() && frame.scene->numbered.sources[instance].mesh == mesh)
       return model.selection.selectPixel(pixel);

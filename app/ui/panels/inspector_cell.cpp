@@ -56,7 +56,7 @@ void drawFillBar(const FrameSnapshot& frame, const CellContents& contents) {
 
 void drawFacts(WindowModel& model, ivec3 cell, const CellContents& contents) {
   const FrameSnapshot& frame = *model.frame;
-  const Bounds bounds = boundsOfCell(frame.grid->parameters, cell);
+  const Bounds bounds = cellBox(frame.grid->parameters, cell);
   factValue("Bounds, low", pointText(bounds.low));
   factValue("Bounds, high", pointText(bounds.high));
   const uint32_t firstDynamic = firstDynamicReference(frame.grid->parameters);
@@ -153,9 +153,8 @@ std::string plainContents(const SceneFacts& scene, const CellContents& contents)
 void drawCellInspector(WindowModel& model, ivec3 cell) {
   const FrameSnapshot& frame = *model.frame;
   const CellContents& contents = shownContents(frame, cell);
-  InspectorTitle title{.name = "Cell " + cellNumbers(cell),
-                       .focus = boundsOfCell(frame.grid->parameters, cell),
-                       .text = plainContents(*frame.scene, contents)};
+  InspectorTitle title{
+      .name = "Cell " + cellNumbers(cell), .focus = cellBox(frame.grid->parameters, cell), .text = plainContents(*frame.scene, contents)};
   title.word = contents.saturated ? "saturated" : contents.stored.empty() ? "empty" : "in use";
   title.colour = contents.saturated ? kColourSaturated : contents.stored.empty() ? kColourEmpty : kColourTested;
   title.hatched = contents.saturated;

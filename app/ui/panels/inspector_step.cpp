@@ -9,6 +9,7 @@
 #include "app/ui/panels/inspector.h"
 #include "app/ui/panels/table_parts.h"
 #include "app/ui/widgets/widgets.h"
+#include "shaders/shared/trace/triangle_test.h"
 #include "shaders/shared/views/palette.h"
 
 namespace gridscope {

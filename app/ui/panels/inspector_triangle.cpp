@@ -24,7 +24,7 @@ const TriangleCells& shownCells(const FrameSnapshot& frame, uint32_t reference) 
   struct Cached {
     std::shared_ptr<const Grid> grid;
     std::shared_ptr<const Demand> demand;
-    uint32_t reference = kBlank;
+    uint32_t reference = kNoReference;
     TriangleCells cells;
   };
   static Cached cached;
@@ -53,7 +53,7 @@ void drawCellRow(WindowModel& model, ivec3 cell, bool refused, int id) {
   swatch(refused ? kColourSaturated : kColourTriangleHit, refused);
   smallText(refused ? "refused it" : "holds it", uiColour(UiColour::text));
   ImGui::TableSetColumnIndex(2);
-  const FullCell full = fullnessOf(*model.frame->grid, cell);
+  const CellFacts full = cellFacts(*model.frame->grid, cell);
   rightNumber(grouped(full.tried()), uiColour(UiColour::text));
   ImGui::TableSetColumnIndex(3);
   rightNumber(grouped(full.refused), full.refused ? meaningColour(kColourSaturated) : uiColour(UiColour::dim));
@@ -119,7 +119,7 @@ void drawEdits(WindowModel& model, uint32_t sceneInstance, bool isDynamic) {
 
 struct InstanceShape {
   uint64_t triangles = 0;
-  uint32_t first = kBlank;  // its first piece in the grid's numbering; kBlank: it has none
+  uint32_t first = kNoReference;  // its first piece in the grid's numbering; kNoReference: it has none
 };
 
 InstanceShape shapeOf(const NumberedScene& numbered, uint32_t sceneInstance) {
@@ -127,7 +127,7 @@ InstanceShape shapeOf(const NumberedScene& numbered, uint32_t sceneInstance) {
   for (uint32_t i = 0; i < numbered.instances.size(); ++i) {
     if (numbered.sources[i].sceneInstance != sceneInstance) continue;
     shape.triangles += numbered.instances[i].triangleCount;
-    if (shape.first == kBlank) shape.first = i;
+    if (shape.first == kNoReference) shape.first = i;
   }
   return shape;
 }
@@ -190,7 +190,7 @@ void drawInstanceInspector(WindowModel& model, uint32_t sceneInstance) {
   const SceneFacts& scene = *frame.scene;
   const InstanceShape shape = shapeOf(scene.numbered, sceneInstance);
   const bool gone = isTakenOut(editOf(model.request.edits, sceneInstance));
-  const bool dynamic = shape.first != kBlank && shape.first >= scene.numbered.staticInstanceCount;
+  const bool dynamic = shape.first != kNoReference && shape.first >= scene.numbered.staticInstanceCount;
   InspectorTitle title{.name = instanceName(scene, sceneInstance),
                        .word = gone      ? "taken out"
                                : dynamic ? "dynamic"
@@ -198,14 +198,14 @@ void drawInstanceInspector(WindowModel& model, uint32_t sceneInstance) {
                        .colour = gone      ? kColourEmpty
                                  : dynamic ? kColourRevisit
                                            : kColourTested};
-  if (shape.first != kBlank) title.focus = boundsOfInstance(frame, sceneInstance);
+  if (shape.first != kNoReference) title.focus = boundsOfInstance(frame, sceneInstance);
   drawInspectorTitle(model, title);
-  const uint32_t mesh = shape.first != kBlank ? scene.numbered.sources[shape.first].mesh : 0;
+  const uint32_t mesh = shape.first != kNoReference ? scene.numbered.sources[shape.first].mesh : 0;
   factValue("Instance", std::to_string(sceneInstance));
-  factValue("Mesh", shape.first != kBlank                         ? meshName(scene, mesh)
+  factValue("Mesh", shape.first != kNoReference                   ? meshName(scene, mesh)
                     : sceneInstance < scene.meshOfInstance.size() ? scene.meshOfInstance[sceneInstance]
                                                                   : "-");
-  if (shape.first != kBlank) factValue("Material", materialName(scene, makeReference(shape.first, 0)));
+  if (shape.first != kNoReference) factValue("Material", materialName(scene, makeReference(shape.first, 0)));
   factValue("Triangles", grouped(shape.triangles));
   drawLosses(model, sceneInstance);
   if (title.focus) {

@@ -126,14 +126,14 @@ void kindCell(int column, const Hit* hit) {
 
 void triangleCell(WindowModel& model, int column, const Hit* hit) {
   ImGui::TableSetColumnIndex(column);
-  if (!hit || hit->reference == kBlank) return smallText("-", uiColour(UiColour::dim));
+  if (!hit || hit->reference == kNoReference) return smallText("-", uiColour(UiColour::dim));
   const TriangleName name = nameTriangle(model.frame->scene->numbered, hit->reference);
   if (link(grouped(name.triangle), column == 1 ? "grid triangle" : "exact triangle")) model.selection.selectTriangle(hit->reference);
 }
 
 void cellCell(WindowModel& model, int column, const Ray& ray, const Hit* hit) {
   ImGui::TableSetColumnIndex(column);
-  if (!hit || hit->reference == kBlank) return smallText("-", uiColour(UiColour::dim));
+  if (!hit || hit->reference == kNoReference) return smallText("-", uiColour(UiColour::dim));
   const ivec3 cell = gridCell(model.frame->gridShape(), rayPoint(ray, hit->t));
   if (!gridContains(model.frame->gridShape(), cell)) return smallText("outside", uiColour(UiColour::dim));
   if (link(cellNumbers(cell), column == 1 ? "grid cell" : "exact cell")) model.selection.selectCell(cell);
@@ -149,9 +149,9 @@ void drawComparison(WindowModel& model, const RecordedRay& ray) {
   const SceneFacts& scene = *model.frame->scene;
   const Hit* grid = &ray.record.hit;
   const Hit* exact = ray.exact ? &*ray.exact : nullptr;
-  const auto distance = [](const Hit* hit) { return hit && hit->reference != kBlank ? printed("%.6f", hit->t) : std::string("-"); };
+  const auto distance = [](const Hit* hit) { return hit && hit->reference != kNoReference ? printed("%.6f", hit->t) : std::string("-"); };
   const auto mesh = [&](const Hit* hit) {
-    return hit && hit->reference != kBlank ? meshName(scene, nameTriangle(scene.numbered, hit->reference).mesh) : std::string("-");
+    return hit && hit->reference != kNoReference ? meshName(scene, nameTriangle(scene.numbered, hit->reference).mesh) : std::string("-");
   };
   TableStyle style;
   if (!ImGui::BeginTable("grid and exact", 3, kTableFlags & ~ImGuiTableFlags_Resizable)) return;
@@ -324,10 +324,10 @@ void drawRay(WindowModel& model, const std::shared_ptr<const RecordedRay>& shown
   const bool told = ray.truth && ray.exact && frame.demand && frame.grid && frame.worldTriangles;
   title.word = told ? std::string(verdictName(ray.truth->verdict).title) : hitWords(ray.record.hit);
   title.colour = told ? verdictColour(ray.truth->verdict) : hitKindColour(ray.record.hit.kind);
-  if (frame.gather && ray.pixel < frame.gather->size() && (*frame.gather)[ray.pixel].reference != kBlank) {
+  if (frame.gather && ray.pixel < frame.gather->size() && (*frame.gather)[ray.pixel].reference != kNoReference) {
     title.focus = Bounds{};
     title.focus->include((*frame.gather)[ray.pixel].position);
-    if (ray.record.hit.reference != kBlank) title.focus->include(rayPoint(ray.ray, ray.record.hit.t));
+    if (ray.record.hit.reference != kNoReference) title.focus->include(rayPoint(ray.ray, ray.record.hit.t));
   }
   if (told) title.text = plainText(shownStory(frame, shown));
   drawInspectorTitle(model, title);

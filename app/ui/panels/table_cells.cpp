@@ -16,7 +16,7 @@ void drawCellsTable(WindowModel& model) {
     const GridParameters& grid = panel.job.result()->wish.frame->gridShape();
     panel.shownId = id;
     model.selection.selectCell(cellOfId(grid, id));
-    model.focusWanted = boundsOfCell(grid, cellOfId(grid, id));
+    model.focusWanted = cellBox(grid, cellOfId(grid, id));
   };
   actions.swatch = [](size_t column, double value) -> std::optional<uint32_t> {
     const bool loss = column == size_t(CellColumn::refused) || column == size_t(CellColumn::raysLost);

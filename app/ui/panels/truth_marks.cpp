@@ -1,7 +1,7 @@
 // See truth_marks.h.
 #include "app/ui/panels/truth_marks.h"
 
-#include "shaders/shared/pipeline/parameters.h"
+#include "shaders/shared/trace/ray.h"
 #include "shaders/shared/truth/truth.h"
 #include "shaders/shared/views/palette.h"
 

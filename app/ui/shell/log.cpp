@@ -98,12 +98,9 @@ void logSelection(WindowModel& model, LoggedState& logged) {
   if (cell == logged.cell) return;
   logged.cell = cell;
   if (!cell || !model.frame->grid || !gridContains(model.frame->grid->parameters, *cell)) return;
-  const Grid& grid = *model.frame->grid;
-  const GridParameters& g = grid.parameters;
-  uint32_t stored = 0, refused = 0;
-  while (stored < uint32_t(g.capacity) && grid.at(gridTexel(g, *cell, int(stored))) != kBlank) ++stored;
-  if (g.reserved == 2) refused = grid.at(gridRefusedTexel(g, *cell, false)) + grid.at(gridRefusedTexel(g, *cell, true));
-  note(model, printed("Selected cell %d,%d,%d: stored %u, refused %u", cell->x, cell->y, cell->z, stored, refused));
+  const CellFacts facts = cellFacts(*model.frame->grid, *cell);
+  note(model, printed("Selected cell %d,%d,%d: stored %u, refused %u", cell->x, cell->y, cell->z, facts.stored,
+                      facts.staticRefused + facts.dynamicRefused));
 }
 
 }  // namespace

@@ -187,8 +187,8 @@ void drawGrid(WindowModel& model) {
                        [](FrameSettings& s, Stretch v) { s.grid.stretch = v; });
     drawBounds(model);
   }
-  const ivec3 texels = gridTexelCount(shape);
-  factRow("Image", printed("%d x %d x %d (%c)", texels.x, texels.y, texels.z, "xyz"[shape.stretchAxis]));
+  const StorageFacts storage = storageFacts(shape);
+  factRow("Image", printed("%d x %d x %d (%c)", storage.extent.x, storage.extent.y, storage.extent.z, storage.stretchedAxis));
   factRow("Memory", byteText(gridByteCount(shape)));
 }
 

@@ -121,7 +121,7 @@ void goToTarget(WindowModel& model) {
   if (!target) return model.showMessage("Nothing here is called \"" + model.search + "\"");
   const GridParameters& grid = model.frame->parameters.grid;
   if (target->pixel) model.selection.selectPixel(*target->pixel);
-  if (target->cell) model.selection.selectCell(*target->cell), model.focusWanted = boundsOfCell(grid, *target->cell);
+  if (target->cell) model.selection.selectCell(*target->cell), model.focusWanted = cellBox(grid, *target->cell);
   if (target->reference)
     model.selection.selectTriangle(*target->reference), model.focusWanted = boundsOfTriangle(*model.frame, *target->reference);
   if (target->instance)

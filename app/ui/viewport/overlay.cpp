@@ -140,7 +140,7 @@ void drawSelection(const WindowModel& model, const OverlayPainter& painter) {
   if (!model.overlays.selection) return;
   if (selected.last == Selected::cell && selected.cell && gridContains(frame.grid->parameters, *selected.cell)) {
     painter.box(cellBounds(frame.grid->parameters, *selected.cell), kSelectedStyle);
-    const FullCell full = fullnessOf(*frame.grid, *selected.cell);
+    const CellFacts full = cellFacts(*frame.grid, *selected.cell);
     drawSelectionCallout(model, painter, gridCellCentre(frame.grid->parameters, *selected.cell), "Cell " + cellNumbers(*selected.cell),
                          grouped(full.tried()) + " tried, " + grouped(full.stored) + " stored", full.saturated);
   }

@@ -8,6 +8,8 @@
 
 namespace gridscope {
 
+struct WindowModel;
+
 inline constexpr float kLeastCallout = 480.0f;  // width of a pane that has room for the ray's legend and callouts, pixels at UI scale 1
 
 // Over the picture of a view, clipped to the pane.

@@ -76,7 +76,7 @@ std::vector<CalloutLine> originLines(const FrameSnapshot& frame, const RecordedR
   const uint32_t width = frame.request.settings->width;
   std::vector<CalloutLine> lines{
       {printed("Origin, pixel %u, %u", ray.pixel % width, ray.pixel / width), windowFonts().sansBold, IM_COL32(217, 223, 229, 255)}};
-  if (ray.surface == kBlank) return lines;
+  if (ray.surface == kNoReference) return lines;
   const TriangleName name = nameTriangle(frame.scene->numbered, ray.surface);
   lines.push_back(
       {meshName(*frame.scene, name.mesh) + ", triangle " + grouped(name.triangle), windowFonts().sansSmall, IM_COL32(143, 154, 166, 255)});

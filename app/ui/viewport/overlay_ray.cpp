@@ -10,6 +10,7 @@
 #include "app/ui/viewport/pane_parts.h"
 #include "app/ui/widgets/step_parts.h"
 #include "app/ui/widgets/widgets.h"
+#include "shaders/shared/trace/triangle_test.h"
 #include "shaders/shared/views/palette.h"
 
 namespace gridscope {

@@ -16,6 +16,7 @@
 #include "app/ui/viewport/pane_parts.h"
 #include "app/ui/widgets/legend.h"
 #include "app/ui/widgets/widgets.h"
+#include "shaders/shared/grid/slice.h"
 
 namespace gridscope {
 

@@ -5,6 +5,8 @@
 
 namespace gridscope {
 
+struct WindowModel;
+
 struct PaneContent {
   PanePicture first;
   std::optional<PanePicture> second;  // B of a comparison

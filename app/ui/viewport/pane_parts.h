@@ -8,6 +8,8 @@
 
 namespace gridscope {
 
+struct WindowModel;
+
 // The mark stays whole where the pixel lies at the pane's edge.
 void drawSelectedPixel(const WindowModel& model, const PaneRect& rect, uvec2 size);
 void drawArea(const WindowModel& model, const PaneRect& rect);

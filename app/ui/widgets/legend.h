@@ -5,6 +5,8 @@
 
 namespace gridscope {
 
+struct WindowModel;
+
 // In a box whose lower right corner is `corner`.
 void drawLegendBox(const WindowModel& model, const View& view, ValueRange range, ImVec2 corner);
 ImVec2 legendBoxSize(const View& view);

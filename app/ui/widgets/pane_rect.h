@@ -3,7 +3,7 @@
 
 #include <imgui.h>
 
-#include "shaders/shared/pipeline/parameters.h"
+#include "shaders/shared/trace/frame.h"
 
 namespace gridscope {
 

@@ -3,8 +3,7 @@
 
 #include <algorithm>
 
-#include "shaders/shared/pipeline/bindings.h"
-#include "shaders/shared/pipeline/findings.h"
+#include "shaders/shared/gpu/bindings.h"
 
 namespace gridscope {
 namespace {

@@ -2,7 +2,7 @@
 #ifndef GRIDSCOPE_SHARED_SELF_TEST_H
 #define GRIDSCOPE_SHARED_SELF_TEST_H
 
-#include "shaders/shared/scene/triangle.h"
+#include "shaders/shared/trace/triangle_test.h"
 
 BEGIN_SHARED
 

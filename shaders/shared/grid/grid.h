@@ -1,16 +1,12 @@
-// The fixed-capacity grid: which cell holds a point, which texel holds a slot. Everything that reads or writes a grid goes through
-// these few functions; nothing else knows the layout.
+// The grid's door, where nothing is read: which cell holds a point, where a cell lies, its number, its list. Nobody outside the grid's rooms
+// knows how a grid is stored (layout.h); what reads a cell is in cell.h.
 // Source: Abdollah-shamshir-saz, Hybrid Ray/Voxel-Tracing Fixed Capacity Grids, 2020.
 #ifndef GRIDSCOPE_SHARED_GRID_H
 #define GRIDSCOPE_SHARED_GRID_H
 
-#include "shaders/shared/pipeline/parameters.h"
+#include "shaders/shared/grid/parameters.h"
 
 BEGIN_SHARED
-
-SHARED uint makeReference(uint instance, uint triangle) { return (instance << 16) | triangle; }
-SHARED uint referenceInstance(uint reference) { return reference >> 16; }
-SHARED uint referenceTriangle(uint reference) { return reference & 0xFFFFu; }
 
 // References at or above this one belong to dynamic instances.
 SHARED uint firstDynamicReference(GridParameters grid) { return grid.staticInstanceCount << 16; }
@@ -40,22 +36,28 @@ SHARED vec3 gridCellCentre(GridParameters grid, ivec3 cell) {
               grid.origin.z + (float(cell.z) + 0.5f) * grid.cellEdge);
 }
 
-// Texel of a cell's slot; slots at and beyond the capacity are the reserved texels.
-SHARED ivec3 gridTexel(GridParameters grid, ivec3 cell, int slot) {
-  ivec3 texel = cell;
-  texel[grid.stretchAxis] = cell[grid.stretchAxis] * grid.stride + slot;
-  return texel;
+// A cell's references, one after another: listReference() reads one.
+struct CellList {
+  ivec3 cell;
+  int most;  // references that it can hold: a loop over more was not cut short
+};
+
+SHARED CellList cellList(GridParameters grid, ivec3 cell) {
+  CellList list;
+  list.cell = cell;
+  list.most = grid.capacity;
+  return list;
 }
 
-// Texel that counts the static or dynamic references a cell refused (two reserved texels).
-SHARED ivec3 gridRefusedTexel(GridParameters grid, ivec3 cell, bool isDynamic) {
-  return gridTexel(grid, cell, grid.capacity + (isDynamic ? 1 : 0));
-}
+// Cells of the grid.
+SHARED uint cellCountOf(GridParameters grid) { return uint(grid.cellCount.x) * uint(grid.cellCount.y) * uint(grid.cellCount.z); }
 
-SHARED ivec3 gridTexelCount(GridParameters grid) {
-  ivec3 count = grid.cellCount;
-  count[grid.stretchAxis] = count[grid.stretchAxis] * grid.stride;
-  return count;
+// No cell's number.
+const uint kNoCell = 0xFFFFFFFFu;
+
+// A cell's place in lists with an element a cell: x fastest, then y, then z.
+SHARED uint cellNumber(GridParameters grid, ivec3 cell) {
+  return (uint(cell.z) * uint(grid.cellCount.y) + uint(cell.y)) * uint(grid.cellCount.x) + uint(cell.x);
 }
 
 END_SHARED

@@ -3,7 +3,7 @@
 #ifndef GRIDSCOPE_SHARED_TRUTH_H
 #define GRIDSCOPE_SHARED_TRUTH_H
 
-#include "shaders/shared/base/language.h"
+#include "shaders/shared/scene/scene.h"
 
 BEGIN_SHARED
 
@@ -41,10 +41,10 @@ struct RayTruth {
   uint verdict;         // kVerdict...
   uint cause;           // kCause...: the first event along the ray that made it differ
   float exactT;         // of the exact hit, world units along the ray; 0 where there is none
-  uint exactReference;  // kBlank where there is none
+  uint exactReference;  // kNoReference where there is none
   float error;          // traced minus exact distance, cell edges; 0 where either is missing
   ivec3 cell;           // where the event took place; (-1, -1, -1): nowhere in the grid
-  uint reference;       // that the event is about; kBlank: none
+  uint reference;       // that the event is about; kNoReference: none
   int segment;          // at which it took place (StepRecord::segment); -1: none
 };
 
@@ -53,14 +53,8 @@ SHARED bool verdictWrong(uint verdict) {
   return verdict == kVerdictHole || verdict == kVerdictVoxelWrong || verdict == kVerdictTooFar || verdict == kVerdictTooNear;
 }
 
-// How often a cell was asked for its references in a frame.
-struct CellRays {
-  uint read;   // rays that tested its references
-  uint empty;  // rays that found its first slot blank
-};
-
 #ifdef __cplusplus
-static_assert(sizeof(RayTruth) == 40 && sizeof(CellRays) == 8);
+static_assert(sizeof(RayTruth) == 40);
 #endif
 
 END_SHARED

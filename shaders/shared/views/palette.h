@@ -4,7 +4,7 @@
 #ifndef GRIDSCOPE_SHARED_PALETTE_H
 #define GRIDSCOPE_SHARED_PALETTE_H
 
-#include "shaders/shared/base/language.h"
+#include "shaders/shared/base/hash.h"
 
 // A constant array is spelled differently in the two languages.
 #ifdef __cplusplus
@@ -100,13 +100,6 @@ SHARED bool hatchLine(uvec2 pixel) { return (pixel.x + pixel.y) % 6u >= 4u; }
 SHARED vec3 markedColour(float x, uvec2 pixel) {
   float strength = 0.5f + 0.5f * (x > 0.0f ? min(x, 1.0f) : 0.0f);
   return unpackColour(kColourSaturated) * (hatchLine(pixel) ? 0.5f * strength : strength);
-}
-
-// A 32-bit hash (the output function of PCG: O'Neill, 2014).
-SHARED uint hashOf(uint value) {
-  uint state = value * 747796405u + 2891336453u;
-  uint word = ((state >> ((state >> 28) + 4u)) ^ state) * 277803737u;
-  return (word >> 22) ^ word;
 }
 
 // A steady colour for an id: any hue, muted, never near black or white.

@@ -1,10 +1,8 @@
 // The one descriptor set that every pass uses, and the plain loads that the shared files ask for.
-#include "shaders/shared/pipeline/bindings.h"
-#include "shaders/shared/grid/grid.h"
-#include "shaders/shared/pipeline/parameters.h"
+#include "shaders/shared/gpu/bindings.h"
 #include "shaders/shared/scene/triangle.h"
+#include "shaders/shared/trace/frame.h"
 
-layout(set = 0, binding = kBindGrid, r32ui) uniform uimage3D gridImage;
 layout(set = 0, binding = kBindVisibility, r32ui) uniform readonly uimage2D visibilityImage;
 layout(set = 0, binding = kBindDiffuseMaps) uniform sampler2DArray diffuseMaps;
 layout(scalar, set = 0, binding = kBindParameters) readonly buffer ParametersBuffer { FrameParameters parameters; };
@@ -18,21 +16,7 @@ layout(scalar, set = 0, binding = kBindAlphaBytes) readonly buffer AlphaBytesBuf
 #endif
 layout(scalar, set = 0, binding = kBindWorldTriangles) WRITES_WORLD_TRIANGLES buffer WorldTrianglesBuffer { Triangle worldTriangles[]; };
 
-// SpecializedSettings.
-layout(constant_id = kConstantOverlap) const uint kSpecializedOverlap = 0u;
-layout(constant_id = kConstantInsertion) const uint kSpecializedInsertion = 0u;
-layout(constant_id = kConstantStretchAxis) const int kSpecializedStretchAxis = 0;
-layout(constant_id = kConstantReserved) const int kSpecializedReserved = 2;
 layout(constant_id = kConstantTraversal) const uint kSpecializedTraversal = 0u;
-
-GridParameters gridParameters() {
-  GridParameters grid = parameters.grid;
-  grid.overlap = kSpecializedOverlap;
-  grid.insertion = kSpecializedInsertion;
-  grid.stretchAxis = kSpecializedStretchAxis;
-  grid.reserved = kSpecializedReserved;
-  return grid;
-}
 
 TraceParameters traceParameters() {
   TraceParameters trace = parameters.trace;
@@ -45,4 +29,3 @@ TraceMaterial loadMaterial(uint material) { return materials[material]; }
 vec2 loadUv(uint objectTriangle, uint corner) { return corners[3u * objectTriangle + corner].uv; }
 uint loadAlpha(uint byteIndex) { return (alphaBytes[byteIndex >> 2] >> (8u * (byteIndex & 3u))) & 255u; }
 Triangle loadWorldTriangle(uint index) { return worldTriangles[index]; }
-uint slotLoad(ivec3 texel) { return imageLoad(gridImage, texel).x; }

@@ -39,13 +39,6 @@ const int kBindStableCells = 29;     // uint: kStable... of each cell, first-com
 const int kBindStableRays = 30;      // uint: 1: the ray's result changes among the builds
 const int kBindCellUpdates = 31;     // CellUpdate, a cell
 
-// Ids of specialization constants: settings that branch inside loops, so that drivers leave the other branch out.
-const int kConstantOverlap = 0;
-const int kConstantInsertion = 1;
-const int kConstantStretchAxis = 2;
-const int kConstantReserved = 3;
-const int kConstantTraversal = 4;
-
 END_SHARED
 
 #endif
