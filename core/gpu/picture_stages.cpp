@@ -3,9 +3,9 @@
 
 #include <algorithm>
 
+#include "shaders/shared/base/view_element.h"
 #include "shaders/shared/gpu/bindings.h"
 #include "shaders/shared/trace/frame.h"
-#include "shaders/shared/base/view_element.h"
 
 namespace gridscope {
 namespace {
