@@ -93,8 +93,6 @@ int chooseStretchAxis(Stretch stretch, ivec3 cellCount) {
   return axis;
 }
 
-uint64_t texelCount(ivec3 count) { return uint64_t(count.x) * uint64_t(count.y) * uint64_t(count.z); }
-
 // Why a grid does not fit; empty when it does.
 std::string misfit(const GridParameters& grid, const GridLimits& limits) {
   const ivec3 texels = gridTexelCount(grid);

@@ -46,7 +46,9 @@ TEST_P(UpdateGpuTest, MovedEqualsAllAfterEachOfThirtyFrames) {
     touched += moved.updateReport().cellsTouched;
   }
   EXPECT_GT(touched, 0u);
-  if (GetParam().capacity == 4) EXPECT_GT(refused, 0u) << "the case must saturate to say anything";
+  if (GetParam().capacity == 4) {
+    EXPECT_GT(refused, 0u) << "the case must saturate to say anything";
+  }
   std::printf("%u of %u instances moving, capacity %u: %.1f %% of the touched cells rebuilt\n", GetParam().moving, kCrowdCount,
               GetParam().capacity, 100.0 * double(rebuilt) / double(touched));
 }
